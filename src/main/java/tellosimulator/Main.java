@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Supplier;
 import picocli.CommandLine.IVersionProvider;
 import tellosimulator.cli.EscapingPrintStream;
 import tellosimulator.cli.ExitCode;
@@ -25,12 +26,15 @@ import tellosimulator.cli.SubcommandName;
 import tellosimulator.concurrent.FatalExit;
 import tellosimulator.files.IoReason;
 import tellosimulator.goal.Progress.Status;
+import tellosimulator.goal.Score;
 import tellosimulator.headless.HeadlessSimulator;
+import tellosimulator.jvm.ProcessMemory;
+import tellosimulator.launcher.ProgramRun;
 import tellosimulator.log.LogSetup;
 import tellosimulator.log.StandardErrorLog;
-import tellosimulator.memory.ProcessMemory;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.RecordingFolder;
+import tellosimulator.recording.RunResult;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.report.FlightReports;
 import tellosimulator.report.ReportTexts;
@@ -45,16 +49,24 @@ import tellosimulator.view.settings.DataFolder;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
 
-/** The command line: reads the options, then runs the simulator or a {@link Subcommand}. */
+/** The entry point: parses the options, then runs the simulator or a {@link Subcommand}. */
 public final class Main {
 
-  /** Flights of the window that are kept. Decided: those of a lesson. */
+  /**
+   * Maximum number of recordings in the default folder for flights in the window; older ones are
+   * deleted. Decided: enough for a lesson.
+   */
   private static final int RECORDINGS_KEPT = 20;
 
   private final Options options = new Options();
   private final PrintStream out;
   private final PrintStream err;
   private final ProgramOutput output;
+
+  private boolean scorePrinted;
+
+  /** Whether the result has been written, or need not be. */
+  private boolean resultWritten;
 
   private Main(PrintStream out, PrintStream err) {
     this.out = new EscapingPrintStream(out);
@@ -63,9 +75,12 @@ public final class Main {
     output = new ProgramOutput(this.out, this.err, out, () -> language().translation(), input);
   }
 
-  /** Ends the process with an {@link ExitCode}, or that of {@link FatalExit}. */
+  /**
+   * Runs the program, then ends the process with an {@link ExitCode} or with the code of {@link
+   * FatalExit}.
+   */
   public static void main(String[] args) {
-    System.setProperty("java.awt.headless", "true"); // posters are read, nothing is drawn
+    System.setProperty("java.awt.headless", "true"); // AWT only reads image files
     FatalExit fatal = FatalExit.install(LogSetup::flush);
     ProcessMemory.keepSmall();
     int status = FatalExit.CODE;
@@ -78,7 +93,7 @@ public final class Main {
     System.exit(status);
   }
 
-  /** What is done when the program is told to end, as by Ctrl-C. */
+  /** Registers a task that runs when the program is asked to end, for example by Ctrl-C. */
   private static void atEnd(Runnable task) {
     Runtime.getRuntime().addShutdownHook(new Thread(task, "shutdown"));
   }
@@ -99,14 +114,16 @@ public final class Main {
         .run(Arrays.copyOfRange(args, 1, args.length), () -> subcommand.action(output));
   }
 
-  /** That of the window. */
+  /**
+   * Returns the language that the user has chosen in the window, by default the system's language.
+   */
   private static Language language() {
     Language language = new Language(Locale.getDefault());
     Settings.load(Settings.file()).bind("language", language.localeProperty(), Language.codec());
     return language;
   }
 
-  /** What the options ask for. */
+  /** Returns the action that the options request. */
   private Action action(List<String> words) {
     if (options.listScenarios()) {
       return this::listScenarios;
@@ -126,9 +143,9 @@ public final class Main {
   }
 
   /**
-   * What a window needs.
+   * The settings and the previous state of the window, and whether a window can be opened.
    *
-   * @param obstacle why there can be none
+   * @param obstacle the reason why no window can be opened; empty if one can
    */
   private record WindowStart(
       Settings settings, WindowState state, Optional<ToolkitFailure> obstacle) {
@@ -180,7 +197,7 @@ public final class Main {
         new SimulatorApp.Rules(
             options::applied, options::addressPlan, options.replyPort(), recordings(words));
     try (SimulatorApp app = new SimulatorApp(launch.scenario(), rules, options.optics())) {
-      atEnd(app::close);
+      atEnd(() -> end(app));
       if (options.on()) {
         app.switchAllOn();
         out.println(app.ready());
@@ -188,11 +205,41 @@ public final class Main {
       if (!options.choosesRoom()) {
         app.beginWithGallery();
       }
-      return app.run(window.settings(), window.state()) ? ExitCode.DONE : ExitCode.FAILED;
+      boolean shown = app.run(window.settings(), window.state());
+      return end(app) && shown ? ExitCode.DONE : ExitCode.FAILED;
     }
   }
 
-  /** In the window each flight is recorded, so that one can look at it afterwards. */
+  /** Closes the window's simulator and writes the result; also called when asked to end. */
+  private boolean end(SimulatorApp app) {
+    app.close();
+    return writeResult(app::result);
+  }
+
+  /**
+   * Writes the result once, if the options ask for it. Returns whether this succeeded.
+   *
+   * @param result returns the result; its simulator has closed
+   */
+  private synchronized boolean writeResult(Supplier<RunResult> result) {
+    if (resultWritten || options.result().isEmpty()) {
+      return true;
+    }
+    resultWritten = true;
+    Path file = options.result().get();
+    try {
+      result.get().write(file);
+      return true;
+    } catch (IOException e) {
+      err.println("The result was not written to " + file + ": " + IoReason.of(e) + ".");
+      return false;
+    }
+  }
+
+  /**
+   * Returns the settings for recording the flights in the window. All flights are recorded, so that
+   * users can view them afterwards.
+   */
   private SimulatorApp.Recordings recordings(List<String> words) {
     RecordingFolder folder =
         options
@@ -235,9 +282,26 @@ public final class Main {
     }
   }
 
-  /** Ends all, also when the program is told to end; whether all reports were written. */
+  /**
+   * Closes the simulator, and writes the result and all reports; also called when the program is
+   * asked to end. Returns whether all files were written.
+   */
   private boolean end(HeadlessSimulator simulator, Optional<FlightReports> reports) {
     simulator.close();
+    printScore(simulator);
+    boolean written = writeResult(simulator::result);
+    return writeReports(reports) && written;
+  }
+
+  /** Prints the points of a run that ends by itself, once. */
+  private synchronized void printScore(HeadlessSimulator simulator) {
+    if (options.exitWhenDone() && !scorePrinted) {
+      simulator.result().score().map(Score::phrase).ifPresent(out::println);
+    }
+    scorePrinted = true;
+  }
+
+  private boolean writeReports(Optional<FlightReports> reports) {
     return reports
         .map(
             each ->
@@ -248,14 +312,17 @@ public final class Main {
         .orElse(true);
   }
 
-  /** Until it is over; the exit code of the program. */
+  /** Runs the simulator until it ends; returns the exit code of the program. */
   private int run(HeadlessSimulator simulator) throws InterruptedException {
     Charset charset = Charset.defaultCharset();
     BufferedReader in = new BufferedReader(new InputStreamReader(System.in, charset));
     if (options.exitWhenDone()) {
-      Status status = simulator.runUntilDone(options.timeout(), in, out);
-      if (options.awaitsProgram()) {
-        simulator.awaitFinish();
+      if (options.awaitsReplies()) {
+        simulator.endUnlessProgramWaits();
+      }
+      Status status = simulator.runUntilDone(options.timeout(), options.awaitsProgram(), in, out);
+      if (options.awaitsReplies() && simulator.programDidNotWait()) {
+        return ProgramRun.NOT_WAITING;
       }
       return status == Status.REACHED ? ExitCode.DONE : ExitCode.GOALS_MISSED;
     }

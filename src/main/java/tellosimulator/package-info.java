@@ -1,7 +1,8 @@
 /**
  * The entry point.
  *
- * <p>{@link tellosimulator.Main} reads the options of {@code cli}, sets up the log and chooses how
- * to run: in a window or without. The package may import everything, and nothing imports it.
+ * <p>{@link tellosimulator.Main} reads the options of {@code cli}, sets up the log, and runs the
+ * simulator with or without a window, or a subcommand. The package may import everything, and
+ * nothing imports it.
  */
 package tellosimulator;

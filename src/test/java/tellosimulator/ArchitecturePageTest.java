@@ -21,7 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * docs/architecture.md draws the packages as they are; it and CONTRIBUTING.md name what there is.
+ * Checks that docs/architecture.md shows the actual packages, and that it and CONTRIBUTING.md name
+ * only what exists.
  */
 @Tag("slow")
 class ArchitecturePageTest {
@@ -33,14 +34,14 @@ class ArchitecturePageTest {
   private static final Pattern NAME =
       Pattern.compile("`(?:[a-z.]+\\.)?([A-Z]\\w*[a-z]\\w*)((?:\\.\\w+)*)(?:\\(\\))?`");
 
-  /** What the page names and others have made. */
+  /** Types of other projects that the page names. */
   private static final Set<String> FOREIGN = Set.of("AnimationTimer", "StrictMath");
 
   private static final JavaClasses CLASSES = ProjectClasses.MAIN;
 
   private static final JavaClasses TESTS = ProjectClasses.TESTS;
 
-  /** Run with {@code -DwritePage=true} to draw the pictures anew. */
+  /** Run with {@code -DwritePage=true} to redraw the diagrams. */
   @ParameterizedTest
   @ValueSource(strings = {"packages", "scenery", "video", "view"})
   void thePictureIsWhatTheCodeSays(String name) throws IOException {
@@ -116,7 +117,7 @@ class ArchitecturePageTest {
     return name.equals(ROOT) ? "Main" : relative(name).split("\\.", 2)[0];
   }
 
-  /** The packages below one; the package itself bears its name. */
+  /** Returns a function that groups the packages below one; the package itself keeps its name. */
   private static Function<JavaClass, String> below(String parent) {
     return type -> {
       String name = relative(type.getPackageName());

@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The subcommand {@code check} as people call it. */
+/** Tests the subcommand {@code check} on the command line. */
 class CheckCommandTest {
 
   @TempDir private Path folder;
@@ -48,6 +48,23 @@ class CheckCommandTest {
         .anyMatch(line -> line.startsWith(bad + ":2:15: expected a length"))
         .anyMatch(line -> line.startsWith(missing + ": there is no such file"))
         .anyMatch(line -> line.startsWith(poster + ": ") && line.contains(picture));
+  }
+
+  @Test
+  void coursesOfSomeSeedsAreDrawn() throws IOException {
+    String varies = file("varies.yaml", "wind: {speed: 10..20}\n");
+    String rarely =
+        file(
+            "rarely.yaml",
+            "obstacles: [{box: {at: [0, 100], size: [50, 50, 50]}},"
+                + " {box: {at: [0, 100.0..150.0], size: [50, 50, 50]}}]\n");
+
+    assertThat(run("check", varies)).isZero();
+    assertThat(out.toString(StandardCharsets.UTF_8).strip())
+        .isEqualTo(varies + ": no mistakes, also with the seeds 1 to 20");
+    assertThat(run("check", rarely)).isEqualTo(2);
+    assertThat(err.toString(StandardCharsets.UTF_8))
+        .startsWith(rarely + ":1:56: none of 100 courses drawn from seed ");
   }
 
   @Test

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.command.CommandSyntax;
 
-/** docs/compare-with-a-drone.md leaves out no command. */
+/** Checks that docs/compare-with-a-drone.md omits no command. */
 class ComparePageTest {
 
   @ParameterizedTest

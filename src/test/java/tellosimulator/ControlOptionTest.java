@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.control.ControlClient;
 
-/** The program with {@code --control}. */
+/** Tests the program with {@code --control}. */
 @Tag("process")
 class ControlOptionTest {
 

@@ -24,7 +24,9 @@ import tellosimulator.recording.RecordingFixture;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** Whatever a recording holds, each subcommand does its work or says in a sentence why not. */
+/**
+ * Each subcommand works with any content of a recording, or explains in a sentence why it does not.
+ */
 class DamagedRecordingTest {
 
   private static final Pattern NUMBER = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
@@ -101,7 +103,7 @@ class DamagedRecordingTest {
       }
       String page = folder.resolve("page.html").toString();
       assertSentence(run("diff", flight.toString(), flight.toString(), "-o", page), damaged);
-      if (index % 4 == 0) { // takes longest
+      if (index % 4 == 0) { // the slowest one
         assertSentence(run("report", flight.toString(), "-o", page), damaged);
         assertSentence(run("replay", flight.toString()), damaged);
       }
@@ -167,7 +169,7 @@ class DamagedRecordingTest {
     boolean wire = file.equals("wire.jsonl");
 
     assertThat(run("report", flight.toString(), "-o", page.toString())).isZero();
-    if (!wire) { // which a report needs only where there are no events
+    if (!wire) { // a report needs it only if there are no events
       assertThat(printed()).contains(remark);
     }
     assertThat(export(flight, "pcap")).isEqualTo(wire ? 1 : 0);
@@ -217,7 +219,7 @@ class DamagedRecordingTest {
     try {
       named = Files.move(flight, folder.resolve(hostile));
     } catch (java.nio.file.InvalidPathException | IOException e) {
-      named = flight; // not every file system has such names
+      named = flight; // not every file system permits such names
     }
     new RecordingFixture(named)
         .runWith("\"program\":\"1.0.0\"", "\"program\":\"1\\u001b[2J\\u202e\"")

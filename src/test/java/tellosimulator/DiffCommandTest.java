@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.recording.RecordingFixture;
 
-/** The subcommand {@code diff} as people call it. */
+/** Tests the subcommand {@code diff} on the command line. */
 class DiffCommandTest {
 
   @TempDir private Path folder;

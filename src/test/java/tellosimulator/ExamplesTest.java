@@ -55,17 +55,17 @@ import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
-/** Runs the programs under {@code examples/} as their readers do: {@code java examples/X.java}. */
+/** Runs the programs in {@code examples/} as documented: {@code java examples/X.java}. */
 @Tag("process")
 class ExamplesTest {
 
   /**
-   * For the steering by hand, which holds sticks by the wall clock. Twice real time, so that a
-   * drone lands by itself only after a silence of 7.5 s, however busy the machine is.
+   * Time factor for manual control, which holds sticks by the wall clock. Twice real time, so that
+   * a drone lands by itself only after a silence of 7.5 s, however busy the machine is.
    */
   private static final TimeFactor FAST = new TimeFactor(2);
 
-  /** So large that no drone reaches a wall. */
+  /** A room so large that no drone reaches a wall. */
   private static final Room HALL = new Room(100, 100, 10);
 
   private static final Pattern ADDRESS = Pattern.compile("127\\.0\\.0\\.1:[0-9]+");
@@ -117,7 +117,7 @@ class ExamplesTest {
     try (Flight flight = new Flight(SimConfig.DEFAULT)) {
       Ended ended = java("ReadState", "", flight.host(), flight.port(), flight.statePort(), "21");
 
-      // Lines 1, 11 and 21 of ten in a second.
+      // Lines 1, 11 and 21, at ten lines per second.
       String line = "height 0 cm, battery 100 %, pitch 0, roll 0, yaw 0 degrees";
       assertThat(ended.output()).containsExactly(line, line, line);
       assertThat(ended.exitCode()).isZero();
@@ -136,7 +136,8 @@ class ExamplesTest {
       assertThat(ended.exitCode()).isZero();
       Place place = flight.places().get(0);
       assertThat(place.phase()).isEqualTo("standing");
-      // Two letters are a second or more, at factor 2 two of the drone's, at up to 40 cm/s.
+      // Two letters take a second or more, at factor 2 two of the drone's seconds, at up to 40
+      // cm/s.
       assertThat(place.x()).isGreaterThan(30);
       assertThat(place.y()).isCloseTo(0, within(2.0));
     }
@@ -152,7 +153,7 @@ class ExamplesTest {
       assertThat(ended.exitCode()).isZero();
       List<Place> places = flight.places();
       assertThat(places).extracting(Place::phase).containsOnly("standing");
-      // They start at y 60, 0 and -60; y is to the left, so that 90 degrees clockwise is along -y.
+      // They start at y 60, 0 and -60; y is to the left, so 90 degrees clockwise is along -y.
       assertThat(places.get(0).y()).isCloseTo(60 - 50, within(2.0));
       assertThat(places.get(1).x()).isCloseTo(-50, within(2.0));
       assertThat(places.get(2).y()).isCloseTo(-60 - 50, within(2.0));
@@ -227,7 +228,7 @@ class ExamplesTest {
     assertThat(ended.exitCode()).isEqualTo(1);
   }
 
-  /** A drone that another program flies: it refuses each command when it comes first. */
+  /** A drone operated by another program: it refuses the first attempt of each command. */
   private static final class BusyDrone implements AutoCloseable {
     private final DatagramSocket program = socket();
     private final DatagramSocket drone = socket();
@@ -284,7 +285,7 @@ class ExamplesTest {
   @Test
   @NeedsTool(Tool.PYTHON)
   void findMarkerLooksAgainWhereOnePictureMissesTheMarker() throws Exception {
-    // Stands in for OpenCV and djitellopy: what is found in each picture that is looked at.
+    // Replaces OpenCV and djitellopy, and determines what is found in each picture.
     Files.writeString(
         scratch.resolve("cv2.py"),
         """
@@ -341,7 +342,7 @@ class ExamplesTest {
     python.environment().put("PYTHONDONTWRITEBYTECODE", "1");
     Process process = python.redirectErrorStream(true).start();
 
-    // 335.6 pixels at a focal length of 922 are 20 degrees; four pictures then miss the marker.
+    // 335.6 pixels at a focal length of 922 are 20 degrees; four frames then miss the marker.
     assertThat(process.inputReader().lines())
         .containsExactly(
             "connect",
@@ -423,10 +424,10 @@ class ExamplesTest {
     }
   }
 
-  /** What became of an example. */
+  /** The result of an example. */
   private record Ended(int exitCode, List<String> output) {}
 
-  /** Where a drone is, in cm and degrees, as the console's {@code state} says. */
+  /** The position of a drone, in cm and degrees, from the console's {@code state}. */
   private record Place(String phase, double x, double y, double yaw) {
     private static final Pattern FORM =
         Pattern.compile("drone \\d+: ([a-z ]+), x (\\S+) y (\\S+) z \\S+ cm, yaw (\\S+) degrees.*");
@@ -479,17 +480,17 @@ class ExamplesTest {
       return addresses.get(0).split(":", -1)[1];
     }
 
-    /** Not 8890, at which another simulator's state may arrive. */
+    /** A port other than 8890, which may receive another simulator's state. */
     String statePort() {
       return Integer.toString(statePort);
     }
 
-    /** Not 11111, at which another simulator's video may arrive. */
+    /** A port other than 11111, which may receive another simulator's video. */
     String videoPort() {
       return Integer.toString(videoPort);
     }
 
-    /** Where the drones are; ends the console, so only once. */
+    /** Returns the positions of the drones; ends the console, so it can be called only once. */
     List<Place> places() throws InterruptedException {
       BufferedReader typed = new BufferedReader(new StringReader("state\nquit\n"));
       ByteArrayOutputStream printed = new ByteArrayOutputStream();

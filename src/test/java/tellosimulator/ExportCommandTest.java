@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.recording.RecordingFixture;
 
-/** The subcommand {@code export} as people call it. */
+/** Tests the subcommand {@code export} on the command line. */
 class ExportCommandTest {
 
   @TempDir private Path folder;

@@ -16,8 +16,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.video.VideoReceiver;
 
 /**
- * With time factor {@code max}, the first picture of each stream has the same bytes in each run:
- * over real sockets, from a process of its own, however busy the machine is.
+ * Checks that with time factor {@code max}, the first picture of each stream has the same bytes in
+ * each run: over real sockets, from a separate process, however busy the machine is.
  */
 @Tag("process")
 @Tag("slow")
@@ -26,7 +26,7 @@ class FirstPictureTest {
 
   private static final int RUNS = 3;
 
-  /** Threads that do nothing but keep the processors busy. */
+  /** Threads that only keep the processors busy. */
   private static final int LOAD = 2;
 
   @ParameterizedTest
@@ -60,7 +60,7 @@ class FirstPictureTest {
     }
   }
 
-  /** The first picture after the last command, as hexadecimal digits. */
+  /** Returns the first frame after the last command, as hexadecimal digits. */
   private static String picture(List<String> program) throws IOException {
     try (VideoReceiver video = VideoReceiver.open(0);
         ProgramProcess process =

@@ -47,7 +47,7 @@ class MainTest {
                 .filter(option -> !option.hidden())
                 .map(OptionSpec::longestName)
                 .toList();
-    assertThat(options).hasSize(36);
+    assertThat(options).hasSize(37);
     assertThat(lines(out)).contains(options).contains("--help", "--version");
     for (SubcommandName subcommand : SubcommandName.values()) {
       assertThat(lines(out)).containsPattern("\n  " + subcommand.word() + " +[a-z]");
@@ -297,6 +297,42 @@ class MainTest {
               "goals: 0 of \\d+ reached after .* s:"
                   + " all drones have landed, and no command came for 15 s");
       assertThat(program.exitCode()).isEqualTo(3);
+    }
+  }
+
+  @Test
+  @Tag("process")
+  @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
+  void pointsAreALineAfterTheGoalsAndPartOfTheResult(@TempDir Path folder) throws Exception {
+    Path scenario =
+        Files.writeString(
+            folder.resolve("points.yaml"),
+            """
+            goals:
+              - reach: {at: [0, 0, 30], points: 10}
+              - reach: {at: [0, 0, 200], points: 5}
+            scoring: {refused: 1, not-landed: 2}
+            """);
+    Path result = folder.resolve("result.json");
+    String options =
+        "--headless --exit-when-done --time-factor max --scenario "
+            + scenario
+            + " --result "
+            + result;
+    try (ProgramProcess program = ProgramProcess.start(Main.class, options, "")) {
+      int port = program.port();
+      assertThat(ProgramProcess.ask("command", port)).isEqualTo("ok");
+      assertThat(ProgramProcess.ask("takeoff", port)).isEqualTo("ok");
+      assertThat(ProgramProcess.ask("up 5000", port)).isNotEqualTo("ok");
+      assertThat(ProgramProcess.ask("land", port)).isEqualTo("ok");
+
+      assertThat(program.line()).startsWith("goals: 1 of 2 reached after ");
+      assertThat(program.line()).isEqualTo("score: 9 of 15 points");
+      assertThat(program.exitCode()).isEqualTo(3);
+      assertThat(Files.readString(result))
+          .contains("\"verdict\": \"missed\"", "\"points\": 9.0,", "\"of\": 15.0,")
+          .contains("\"reason\": \"all drones have landed, and no command came for 15 s\"")
+          .contains("\"refused\": 1", "\"took-off\": true");
     }
   }
 

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.recording.RecordingFile;
 import tellosimulator.recording.RecordingFixture;
 
-/** Whatever writes a file, no file that the program reads is lost. */
+/** Checks that no output file overwrites a file that the program reads. */
 class OutputFilesTest {
 
   @TempDir private Path folder;
@@ -64,7 +64,8 @@ class OutputFilesTest {
         "export %1$s --to mcap -o %2$s",
         "report %1$s -o %2$s",
         "diff %1$s %1$s -o %2$s",
-        "--headless --report %2$s"
+        "--headless --report %2$s",
+        "--headless --result %2$s"
       })
   void noFileOfARecordingIsWrittenOver(String line) throws IOException {
     Map<String, String> before = contents();

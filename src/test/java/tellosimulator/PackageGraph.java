@@ -10,16 +10,16 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * Which groups of classes depend on which, without cycles. Immutable.
+ * The dependencies between groups of classes, without cycles. Immutable.
  *
- * @param edges each group, and those that it uses
+ * @param edges each group, and the groups that it uses
  */
 record PackageGraph(Map<String, Set<String>> edges) {
 
   /**
-   * The graph of compiled classes.
+   * Creates the graph of compiled classes.
    *
-   * @param group the group of a class; empty for those that are left out
+   * @param group returns the group of a class; empty for classes that are left out
    */
   static PackageGraph of(JavaClasses classes, Function<JavaClass, String> group) {
     Map<String, Set<String>> edges = new TreeMap<>();
@@ -37,7 +37,7 @@ record PackageGraph(Map<String, Set<String>> edges) {
     return new PackageGraph(edges);
   }
 
-  /** The same without edges that follow from others: its transitive reduction. */
+  /** Returns the transitive reduction: this graph without edges that follow from others. */
   PackageGraph reduced() {
     Map<String, Set<String>> kept = new TreeMap<>();
     edges.forEach(
@@ -57,7 +57,7 @@ record PackageGraph(Map<String, Set<String>> edges) {
     return used.contains(to) || used.stream().anyMatch(between -> leads(between, to));
   }
 
-  /** As a flowchart of Mermaid, in which an arrow points to what is used. */
+  /** Returns the graph as a Mermaid flowchart, whose arrows point to the used group. */
   String mermaid() {
     StringBuilder chart = new StringBuilder("```mermaid\nflowchart TD\n");
     edges.forEach(

@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import tellosimulator.testing.Jvm;
 import tellosimulator.testing.Tool;
 
-/** The program in a process of its own, with drone 1 at a free port of 127.0.0.1. */
+/** The program in its own process, with drone 1 on a free port of 127.0.0.1. */
 final class ProgramProcess implements AutoCloseable {
 
   static final int PATIENCE_SECONDS = 240;
@@ -35,19 +35,19 @@ final class ProgramProcess implements AutoCloseable {
   }
 
   /**
-   * Starts it.
+   * Starts the program.
    *
-   * @param hidden a variable of the environment that it does not get to see
+   * @param hidden an environment variable that is removed for it
    */
   static ProgramProcess start(Class<?> main, String options, String hidden) throws IOException {
     return start(main, options, hidden, "-XX:+IgnoreUnrecognizedVMOptions");
   }
 
   /**
-   * Starts it.
+   * Starts the program.
    *
-   * @param hidden a variable of the environment that it does not get to see
-   * @param heap an option of the Java machine
+   * @param hidden an environment variable that is removed for it
+   * @param heap a JVM option
    */
   static ProgramProcess start(Class<?> main, String options, String hidden, String heap)
       throws IOException {
@@ -78,15 +78,15 @@ final class ProgramProcess implements AutoCloseable {
     return new ProgramProcess(builder.start(), errors);
   }
 
-  /** Starts it without a window. */
+  /** Starts the program without a window. */
   static ProgramProcess headless() throws IOException {
     return start(Main.class, "--headless", "");
   }
 
   /**
-   * Starts it with a window on a recorded flight.
+   * Starts the program with a window on a recorded flight.
    *
-   * @param hidden a variable of the environment that it does not get to see
+   * @param hidden an environment variable that is removed for it
    */
   static ProgramProcess replay(Path recording, String hidden) throws IOException {
     return launch(
@@ -96,7 +96,7 @@ final class ProgramProcess implements AutoCloseable {
         "-XX:+IgnoreUnrecognizedVMOptions");
   }
 
-  /** Starts it as a proxy for a drone of this machine. */
+  /** Starts the program as a proxy for a drone of this machine. */
   static ProgramProcess proxy(int dronePort, Path recordings) throws IOException {
     String options =
         "proxy --command-port 0 --drone-state-port 0 --drone-video-port 0 --drone 127.0.0.1:";
@@ -105,7 +105,7 @@ final class ProgramProcess implements AutoCloseable {
     return launch(Main.class, words, "", "-XX:+IgnoreUnrecognizedVMOptions");
   }
 
-  /** Starts it with a program of its own. */
+  /** Starts the program with its own operator program. */
   static ProgramProcess run(List<String> words) throws IOException {
     List<String> all = new ArrayList<>(List.of("run", "--headless", "--log-level", "error"));
     all.add("--");
@@ -113,7 +113,7 @@ final class ProgramProcess implements AutoCloseable {
     return launch(Main.class, all, "", "-XX:+IgnoreUnrecognizedVMOptions");
   }
 
-  /** Waits for the line that says that it is ready, and returns drone 1's port. */
+  /** Waits for the ready line, and returns drone 1's port. */
   int port() throws IOException {
     String ready = String.valueOf(printed.readLine());
     if (!ready.matches("ready: drone 1 at 127\\.0\\.0\\.1:[0-9]+")) {
@@ -122,27 +122,27 @@ final class ProgramProcess implements AutoCloseable {
     return Integer.parseInt(ready.replaceAll(".*:", ""));
   }
 
-  /** The next line that it prints. */
+  /** Returns the next line that it prints. */
   String line() throws IOException {
     return String.valueOf(printed.readLine());
   }
 
-  /** Types something, and ends the input. */
+  /** Types a text, and ends the input. */
   void type(String text) throws IOException {
     process.outputWriter(StandardCharsets.UTF_8).append(text).close();
   }
 
-  /** Interrupts it, as Ctrl-C does. */
+  /** Interrupts the program, as Ctrl-C does. */
   void interrupt() throws IOException, InterruptedException {
     Tool.SH.command("-c", "kill -s INT " + process.pid()).start().waitFor();
   }
 
-  /** Asks it to end, as {@code kill} does; what it still prints can be read. */
+  /** Asks the program to end, as {@code kill} does; its remaining output can be read. */
   void terminate() {
-    process.toHandle().destroy(); // the process itself would close its streams
+    process.toHandle().destroy(); // Process.destroy would close the streams
   }
 
-  /** Ends it without asking, as {@code kill -9} does. */
+  /** Kills the program, as {@code kill -9} does. */
   void kill() throws InterruptedException {
     process.destroyForcibly();
     process.waitFor();
@@ -156,7 +156,7 @@ final class ProgramProcess implements AutoCloseable {
     return process.isAlive();
   }
 
-  /** Waits for its end. */
+  /** Waits until the program has exited. */
   int exitCode() throws InterruptedException {
     if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
       throw new AssertionError("it does not end");
@@ -164,7 +164,7 @@ final class ProgramProcess implements AutoCloseable {
     return process.exitValue();
   }
 
-  /** What it has written to standard error until now. */
+  /** Returns its output to standard error until now. */
   String errors() throws IOException {
     return Files.readString(errors);
   }

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFiles;
 
-/** The subcommand {@code proxy} as people call it. */
+/** Tests the subcommand {@code proxy} on the command line. */
 @Tag("process")
 class ProxyCommandTest {
 
@@ -33,7 +33,7 @@ class ProxyCommandTest {
         new PrintStream(err, true, StandardCharsets.UTF_8));
   }
 
-  /** A refused takeoff is a flight, too: one wants to see why. */
+  /** A refused takeoff is recorded, too, so that users can see the reason. */
   @Test
   @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void whatPassesIsRecordedUntilQuit() throws Exception {
@@ -92,13 +92,13 @@ class ProxyCommandTest {
       assertThat(err.toString(StandardCharsets.UTF_8).lines())
           .singleElement()
           .asString()
-          .startsWith("Port " + taken + " of 127.0.0.1 cannot be had")
+          .startsWith("Port " + taken + " of 127.0.0.1 is not available")
           .contains("the drone sends its state there")
           .contains("--state-port");
     }
   }
 
-  /** A program asks for it, and the drone refuses. */
+  /** Sends a takeoff from a program; the drone refuses it. */
   private static void takeOff(int port, DatagramSocket drone) throws IOException {
     try (DatagramSocket operator = new DatagramSocket()) {
       byte[] takeoff = "takeoff".getBytes(StandardCharsets.US_ASCII);

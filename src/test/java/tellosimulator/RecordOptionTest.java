@@ -23,7 +23,7 @@ import tellosimulator.replay.Replay;
 import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.words.Phrase;
 
-/** The program with {@code --record}. */
+/** Tests the program with {@code --record}. */
 @Tag("process")
 class RecordOptionTest {
 
@@ -110,7 +110,7 @@ class RecordOptionTest {
         : found.get(0).text("flight.csv").lines().count();
   }
 
-  /** The lines that have an end. */
+  /** Returns the lines that have a line end. */
   private static Stream<String> whole(String text) {
     return text.substring(0, text.lastIndexOf('\n') + 1).lines();
   }

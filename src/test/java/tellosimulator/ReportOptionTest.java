@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The program with {@code --report}. */
+/** Tests the program with {@code --report}. */
 @Tag("process")
 class ReportOptionTest {
 

@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** What docs/requirements.md points at is there. */
+/** Checks that everything to which docs/requirements.md refers exists. */
 class RequirementsPageTest {
 
   private static final Path PAGE = Path.of("docs", "requirements.md");

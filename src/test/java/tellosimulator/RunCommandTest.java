@@ -9,6 +9,8 @@ import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
@@ -17,16 +19,17 @@ import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.testing.Jvm;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** The subcommand {@code run} as people call it. */
+/** Tests the subcommand {@code run} on the command line. */
 class RunCommandTest {
 
-  /** Seconds that a program sleeps which does not end by itself. */
+  /** Sleep time of a program that does not end by itself [s]. */
   private static final String NAP = "100000";
 
   private final ByteArrayOutputStream out = new ByteArrayOutputStream();
@@ -62,7 +65,7 @@ class RunCommandTest {
     assertThat(out.size()).isZero();
   }
 
-  /** Flies as with a real drone: it answers at 192.168.10.1, from port 8889 to port 8889. */
+  /** Flies as with a real drone, which answers at 192.168.10.1, from port 8889 to port 8889. */
   static final class UnchangedProgram {
 
     /** A command for the program itself: to land when it is interrupted. */
@@ -71,9 +74,9 @@ class RunCommandTest {
     private UnchangedProgram() {}
 
     /**
-     * Ends with exit code 0 if all commands are answered with {@code ok}.
+     * Exits with code 0 if all commands are answered with {@code ok}.
      *
-     * @param args how many drones, their addresses, then the commands for each
+     * @param args the number of drones, their addresses, then the commands for each
      */
     public static void main(String[] args) throws IOException, InterruptedException {
       int drones = Integer.parseInt(args[0]);
@@ -158,7 +161,7 @@ class RunCommandTest {
       assertThat(fly(List.of(), List.of("no-such-program"))).isEqualTo(127);
     }
 
-    /** The timeout of two simulated minutes is not waited for, nor the silence of any drone. */
+    /** The run ends without waiting for the timeout of two simulated minutes or for any silence. */
     @ParameterizedTest
     @CsvSource(
         delimiter = '|',
@@ -187,7 +190,27 @@ class RunCommandTest {
 
       assertThat(fly(List.of("--scenario", "slalom"), hovering)).isEqualTo(3);
       assertThat(out.toString(StandardCharsets.UTF_8))
-          .containsPattern("goals: 0 of 4 reached after [4-9]\\.. s: the program has ended\n");
+          .containsPattern(
+              "goals: 0 of 4 reached after [3-9]\\.. s: the program ended while drone 1 was in the"
+                  + " air\n");
+    }
+
+    @Test
+    void theLandingAtTheEndOfAProgramReachesNoGoal(@TempDir Path folder) throws IOException {
+      Path scenario = folder.resolve("land.yaml");
+      Files.writeString(scenario, "name: Land\ngoals:\n  - land: {at: [0, 0], radius: 50}\n");
+      List<String> hovering = unchanged("1", "192.168.10.1", "command", "takeoff");
+
+      assertThat(fly(List.of("--scenario", scenario.toString()), hovering)).isEqualTo(3);
+      assertThat(out.toString(StandardCharsets.UTF_8)).contains("goals: 0 of 1 reached after");
+    }
+
+    @Test
+    void aProgramThatIsStillInTheAirAfterTheVerdictIsEndedSoon() {
+      List<String> words = shell("\"$@\" command takeoff 'forward 400'; exec sleep " + NAP);
+
+      assertThat(fly(List.of("--scenario", "slalom", "--timeout", "30"), words)).isEqualTo(3);
+      assertThat(out.toString(StandardCharsets.UTF_8)).contains("\nprogram: ended by run\n");
     }
 
     @Test
@@ -229,7 +252,7 @@ class RunCommandTest {
       }
     }
 
-    /** Deaf, forked and in a session of its own: with {@code run}, all are gone. */
+    /** Processes that ignore signals, fork and use their own session all end with {@code run}. */
     @Test
     void nothingIsLeftOfARunThatIsKilled() throws Exception {
       String forking =
@@ -242,21 +265,23 @@ class RunCommandTest {
 
         assertThat(all).hasSizeGreaterThan(4);
         for (ProcessHandle each : all) {
-          while (each.isAlive() && each.info().command().isPresent()) { // a zombie runs no file
+          while (each.isAlive() && each.info().command().isPresent()) { // a zombie has no command
             Thread.onSpinWait();
           }
         }
       }
     }
 
-    /** A script to which {@code "$@"} is an unchanged program that still needs its commands. */
+    /**
+     * Returns a script whose {@code "$@"} is an unchanged program that still needs its commands.
+     */
     private static List<String> shell(String script) {
       return Stream.concat(
               Stream.of("sh", "-c", script, "script"), unchanged("1", "192.168.10.1").stream())
           .toList();
     }
 
-    /** It lands where it began, which is no goal of this room. */
+    /** The drone lands at its start, which is not a goal of this room. */
     @Test
     void otherwiseTheGoalsDecide() {
       assertThat(

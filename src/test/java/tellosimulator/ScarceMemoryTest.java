@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 import tellosimulator.concurrent.FatalExit;
 import tellosimulator.testing.HungryProgram;
 
-/** The program where memory is not enough: it says so, and never goes on in part. */
+/** Checks that with too little memory, the program reports this, and never continues in part. */
 @Tag("process")
 @Timeout(
     value = 4 * ProgramProcess.PATIENCE_SECONDS,
@@ -29,7 +29,7 @@ class ScarceMemoryTest {
 
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
 
-  /** Several seconds of what a stranger may send. */
+  /** Several seconds of datagrams from a host that does not operate the drone. */
   private static final int FLOOD = 200_000;
 
   @Test
@@ -66,8 +66,8 @@ class ScarceMemoryTest {
   }
 
   /**
-   * The reply to a text, which is sent again every few seconds, as programs do: a step for which
-   * there is no memory loses what it has taken. Without a reply, what the program has said.
+   * Returns the reply to a text, which is sent again every few seconds, as programs do, because a
+   * step without enough memory loses its input. Without a reply, fails with the program's output.
    */
   private static String reply(String text, ProgramProcess program, int port) throws IOException {
     byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
@@ -115,7 +115,10 @@ class ScarceMemoryTest {
     }
   }
 
-  /** Whether it answers; several times, as a flood takes other datagrams with it. */
+  /**
+   * Returns whether the program answers; asks several times, because a flood displaces other
+   * datagrams.
+   */
   private static boolean answers(ProgramProcess program, int port) throws IOException {
     try (DatagramSocket client = new DatagramSocket(new InetSocketAddress(LOOPBACK, 0))) {
       client.setSoTimeout(1000);
@@ -126,7 +129,7 @@ class ScarceMemoryTest {
           client.receive(new DatagramPacket(new byte[100], 100));
           return true;
         } catch (SocketTimeoutException e) {
-          // lost on the way, or the program is about to end
+          // lost, or the program is about to end
         }
       }
       return false;

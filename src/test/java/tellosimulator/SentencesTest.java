@@ -23,10 +23,10 @@ import tellosimulator.cli.Options;
 import tellosimulator.scenery.texture.ImageFile;
 import tellosimulator.testing.ForPeople;
 
-/** Whatever is wrong with what the program is given, it says so in words for people. */
+/** Checks that the program explains any invalid input in words for users. */
 class SentencesTest {
 
-  /** With this, and without a scenario, the program ends before it starts anything. */
+  /** With this option, and without a scenario, the program ends before it starts anything. */
   private static final String NEVER_STARTS = "--exit-when-done";
 
   private static final List<String> VALUES =

@@ -25,9 +25,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * With time factor {@code max}, a program that sends each command after the reply to the one before
- * gets the same replies and state lines in each run, to the byte: over real sockets, from a process
- * of its own, however long the program thinks, and however busy the machine is.
+ * Checks that with time factor {@code max}, a program that sends each command after the reply to
+ * the previous one receives identical replies and state lines in each run, to the byte: over real
+ * sockets, from a separate process, however long the program thinks, and however busy the machine
+ * is.
  */
 @Tag("process")
 @Timeout(value = 300, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
@@ -36,12 +37,12 @@ class UdpDeterminismTest {
 
   private static final int DRONES = 3;
 
-  /** Threads that do nothing but keep the processors busy. */
+  /** Threads that only keep the processors busy. */
   private static final int LOAD = 2;
 
   private static final int RUNS = 2;
 
-  /** What a program may think about at the most, from one command to the next [ms]. */
+  /** The longest time that a program thinks between two commands [ms]. */
   private static final int LONGEST_PAUSE_MS = 12;
 
   private static final String SCENARIO =
@@ -56,7 +57,10 @@ class UdpDeterminismTest {
         - start: [0, -200]
       """;
 
-  /** Each reply comes once, because the script waits for it, and the last state line comes. */
+  /**
+   * Faults that deliver each reply once, because the script waits for it, and also the last state
+   * line.
+   */
   private static final String FAULTS =
       """
       faults:
@@ -72,7 +76,7 @@ class UdpDeterminismTest {
 
   private static final String FAULTY = "measured --link ideal --seed 3";
 
-  /** Drone and command. The last one shows in the last state line. */
+  /** Drone and command. The last one is visible in the last state line. */
   private static final String SCRIPT =
       """
       1 command
@@ -145,7 +149,7 @@ class UdpDeterminismTest {
       strings = {
         "report",
         "measured --link ideal",
-        "report --fault delay", // all ways, 0.1 s
+        "report --fault delay", // all directions, 0.1 s
         FAULTY
       })
   void aProgramThatWaitsForEachReplyGetsTheSameBytesInEachRun(String behavior) throws Exception {
@@ -170,7 +174,7 @@ class UdpDeterminismTest {
         .isNotEqualTo(fly(script, "measured --link ideal", new Random(0), 0));
   }
 
-  /** All replies, and then all state lines, each with the drone that it came from. */
+  /** Returns all replies, and then all state lines, each with its drone. */
   private List<String> fly(String script, String behavior, Random pauses, int longestMs)
       throws IOException {
     String text = SCENARIO + (behavior.equals(FAULTY) ? FAULTS : "");
@@ -217,7 +221,7 @@ class UdpDeterminismTest {
       socket.receive(packet);
       reply = text(packet);
       received.add(ports.indexOf(packet.getPort()) + 1 + " " + reply);
-    } while (reply.equals("forced stop")); // which nobody waits for
+    } while (reply.equals("forced stop")); // which the script does not wait for
   }
 
   private static List<Integer> ports(String ready) {
@@ -234,7 +238,7 @@ class UdpDeterminismTest {
     return new String(packet.getData(), 0, packet.getLength(), StandardCharsets.ISO_8859_1);
   }
 
-  /** Takes all state lines on a thread of its own, so that none is lost. */
+  /** Receives all state lines on a separate thread, so that none is lost. */
   private static final class StateLines implements AutoCloseable {
 
     private static final int BUFFER = 1 << 20;
@@ -266,7 +270,7 @@ class UdpDeterminismTest {
       }
     }
 
-    /** Waits for the first line of a drone that holds a text; returns all lines up to it. */
+    /** Waits for the first line of a drone that contains a text; returns all lines up to it. */
     List<String> upToLineWith(String text, int port, List<Integer> ports) {
       synchronized (lines) {
         int end = lastIndex(text, port);

@@ -21,8 +21,7 @@ final class FlightRenderer {
 
   private final FlightPoses flight = FlightPoses.read(FlightPoses.FILE);
   private final SimSnapshot empty =
-      new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
-          .snapshot();
+      new Simulation(SimConfig.DEFAULT, drone -> datagram -> {}, List.of()).snapshot();
   private final FrameSource camera = new SoftwareCameras(DroneOptics.DEFAULT).get();
 
   /** The pictures of a part. */

@@ -14,18 +14,22 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import tellosimulator.command.LinkDatagram;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
+import tellosimulator.fault.LinkDirection;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.DatagramPort;
+import tellosimulator.network.DatagramSender;
 import tellosimulator.network.Ports;
-import tellosimulator.network.StateConnection;
 import tellosimulator.network.UdpPort;
 import tellosimulator.network.WireTap;
 import tellosimulator.recording.FlightRecorder;
@@ -33,6 +37,7 @@ import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimInput;
 import tellosimulator.sim.Simulation;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
@@ -106,11 +111,7 @@ final class RecordingBenchmark {
                       told::add))
               : Optional.empty();
       simulation =
-          new Simulation(
-              config,
-              drone -> (to, text) -> replied(drone),
-              report -> lines(report.state().drone()).send(report),
-              List.of(goals));
+          new Simulation(config, drone -> datagram -> sent(drone, datagram), List.of(goals));
       recorder.ifPresent(each -> each.follow(simulation::time, simulation::snapshot));
       recorder.ifPresent(simulation::listen);
       for (int drone = 1; drone <= drones; drone++) {
@@ -125,9 +126,13 @@ final class RecordingBenchmark {
       }
     }
 
-    /** Formats state lines, and sends them to where nobody takes them, or drops them. */
-    private StateConnection lines(int drone) {
-      return new StateConnection(new Ports(List.of(new Sink(drone))));
+    /** Sends state lines to where nobody takes them, or drops them. */
+    private void sent(int drone, LinkDatagram datagram) {
+      if (datagram.direction() == LinkDirection.STATE) {
+        new DatagramSender(new Ports(List.of(new Sink(drone))), OptionalInt.empty()).send(datagram);
+      } else {
+        replied(drone);
+      }
     }
 
     /** The next command follows the reply to the one before; the first one that to takeoff. */
@@ -151,8 +156,10 @@ final class RecordingBenchmark {
 
     private void submit(int drone, String command) {
       Peer peer = new Peer(operator, address);
-      recorder.ifPresent(each -> each.received(drone, peer, command));
-      simulation.submit(drone, peer, command);
+      byte[] bytes = WireText.encode(command);
+      SimInput datagram = new SimInput.Datagram(drone, peer, bytes);
+      recorder.ifPresent(each -> each.onInput(simulation.time(), datagram));
+      simulation.submit(drone, peer, bytes);
     }
 
     double seconds() {

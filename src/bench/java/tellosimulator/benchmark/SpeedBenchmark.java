@@ -7,16 +7,20 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import tellosimulator.command.DronePort;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
+import tellosimulator.fault.LinkDirection;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.DatagramPort;
+import tellosimulator.network.DatagramSender;
 import tellosimulator.network.Ports;
-import tellosimulator.network.StateConnection;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Simulation;
@@ -91,13 +95,20 @@ final class SpeedBenchmark {
       DatagramPort port = new Sink();
       Peer peer =
           new Peer(new InetSocketAddress(InetAddress.getLoopbackAddress(), 9), port.address());
+      DronePort states = new DatagramSender(new Ports(List.of(port)), OptionalInt.empty());
       simulation =
           new Simulation(
               SimConfig.DEFAULT
                   .withRoom(HALL, starts)
                   .withArena(Arena.DEFAULT.withRoom(HALL).withObstacles(boxes(obstacles, starts))),
-              drone -> (to, text) -> fly(drone, peer),
-              new StateConnection(new Ports(List.of(port))),
+              drone ->
+                  datagram -> {
+                    if (datagram.direction() == LinkDirection.STATE) {
+                      states.send(datagram);
+                    } else {
+                      fly(drone, peer);
+                    }
+                  },
               List.of());
       for (int drone = 1; drone <= drones; drone++) {
         simulation.control(new Control.Power(drone, true));
@@ -134,7 +145,7 @@ final class SpeedBenchmark {
         simulation.control(new Control.SetBattery(drone, 100));
         simulation.control(new Control.Reset(drone)); // all tours go the same way
       }
-      simulation.submit(drone, peer, command);
+      simulation.submit(drone, peer, WireText.encode(command));
       if (command.startsWith("rc ")) {
         fly(drone, peer);
       }

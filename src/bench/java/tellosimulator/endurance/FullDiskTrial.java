@@ -31,7 +31,7 @@ final class FullDiskTrial {
   /** What the recorder says of a file, and of the recording as a whole. */
   private static final String ENDED = " ended, because it cannot be written: ";
 
-  /** Film and rest are written by two threads, either of which may be the first. */
+  /** FramePipeline and rest are written by two threads, either of which may be the first. */
   private static final int MOST_SENTENCES = 2;
 
   private FullDiskTrial() {}

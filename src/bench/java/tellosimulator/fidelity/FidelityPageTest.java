@@ -49,6 +49,6 @@ class FidelityPageTest {
 
     assertThatThrownBy(() -> FlightLog.read(file))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage(file + ":2: expected Station, Tello or state, found \"Pilot\"");
+        .hasMessage(file + ":2: expected CommandAddress, Tello or state, found \"Pilot\"");
   }
 }

@@ -34,8 +34,8 @@ record FlightLog(List<Line> lines) {
   }
 
   /**
-   * Reads a table with tabs between three columns: seconds, who ({@code Station}, {@code Tello} or
-   * {@code state}), text.
+   * Reads a table with tabs between three columns: seconds, who ({@code CommandAddress}, {@code
+   * Tello} or {@code state}), text.
    *
    * @throws IOException if it cannot be read
    * @throws IllegalArgumentException naming the line that is not like that
@@ -63,7 +63,7 @@ record FlightLog(List<Line> lines) {
           case "state" -> "state";
           default ->
               throw new IllegalArgumentException(
-                  place + ": expected Station, Tello or state, found \"" + cells[1] + '"');
+                  place + ": expected CommandAddress, Tello or state, found \"" + cells[1] + '"');
         };
     return new Line(Double.parseDouble(cells[0]), kind, cells[2].strip());
   }

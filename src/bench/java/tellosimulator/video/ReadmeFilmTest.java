@@ -9,7 +9,6 @@ import java.awt.Polygon;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,8 +20,8 @@ import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.GoalWatch;
+import tellosimulator.goal.PlacedGoal;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.math.Attitude;
@@ -49,8 +48,8 @@ import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
 
 /**
- * Films the gate race for the README, flown by a list of commands and seen by a camera that turns
- * around the room. With {@code -Dupdate.docs=true} it writes the film and its picture anew:
+ * Films the gate race for the README, flown by a list of commands and rendered by a camera that
+ * moves around the room. With {@code -Dupdate.docs=true} it recreates the film and its picture:
  *
  * <pre>{@code mvn -Pbench test -Dtest=ReadmeFilmTest -Dupdate.docs=true}</pre>
  */
@@ -77,33 +76,36 @@ class ReadmeFilmTest {
 
   private static final double SECONDS = 15;
 
-  /** A film that is only looked at by this test has few frames. */
+  /** With few frames unless the film is written. */
   private static final int FRAMES_PER_SECOND = UPDATE ? 25 : 1;
 
   private static final int BITS_PER_SECOND = 950_000;
 
-  /** Largest film [bytes]. Decided: what a page may load without asking. */
+  /** Maximum size of the film [bytes]. Decided: acceptable for a page to load unasked. */
   private static final int LARGEST = 2_000_000;
 
   private static final int WIDTH = 768;
   private static final int HEIGHT = 432;
 
-  /** How many times larger each side is drawn, for smooth edges. */
+  /** Supersampling factor of each side, for smooth edges. */
   private static final int FINER = 2;
 
   private static final double FIELD_OF_VIEW = Math.toRadians(46);
   private static final double ELEVATION = Math.toRadians(27);
   private static final double NEAR = 0.05;
 
-  /** Farther than needed for the middle of the room: its near corner is seen, too. By eye. */
+  /**
+   * Factor of the camera's distance, above 1 so that the room's near corner is visible, too. By
+   * eye.
+   */
   private static final double ASIDE = 1.1;
 
-  /** How the camera turns within the film [rad]. */
+  /** Headings of the camera at the start and the end of the film [rad]. */
   private static final double FIRST_HEADING = Math.toRadians(4);
 
   private static final double LAST_HEADING = Math.toRadians(46);
 
-  /** Part of the film of which the picture for the README is. Decided: in the second gate. */
+  /** Position of the picture for the README in the film. Decided: in the second gate. */
   private static final double OF_PICTURE = 0.62;
 
   private static final Color SKY = new Color(0xeaf1f8);
@@ -115,10 +117,10 @@ class ReadmeFilmTest {
   private final SoftwareCamera camera = new SoftwareCamera(new RenderCache(ColorSpace.RGB));
   private final FrameBuffer frameBuffer = FrameBuffer.forScreen(FINER * WIDTH, FINER * HEIGHT);
 
-  /** How everything was after a step. */
+  /** The state after a step. */
   private record Moment(SimSnapshot snapshot, Progress progress) {}
 
-  /** Keeps all moments from the takeoff on. */
+  /** Collects all moments from the takeoff on. */
   private static final class Moments implements SimListener {
     private final GoalWatch goals;
     private final List<Moment> all = new ArrayList<>();
@@ -165,7 +167,10 @@ class ReadmeFilmTest {
     return moments.all;
   }
 
-  /** Films as many moments as the film has frames, evenly over the flight; returns one of them. */
+  /**
+   * Renders as many moments as the film has frames, evenly over the flight, and returns the picture
+   * for the README.
+   */
   private BufferedImage film(List<Moment> flight, Path file) throws IOException {
     int frames = (int) (SECONDS * FRAMES_PER_SECOND);
     int shown = (int) (OF_PICTURE * frames);
@@ -201,17 +206,16 @@ class ReadmeFilmTest {
     return kept;
   }
 
-  /** A NAL unit without its start code. */
-  private static ByteBuffer unit(AccessUnit encoded, int unit) {
-    return ByteBuffer.wrap(
-        Arrays.copyOfRange(encoded.bytes(), encoded.start(unit) + 4, encoded.start(unit + 1)));
+  /** Returns a NAL unit without its start code. */
+  private static byte[] unit(AccessUnit encoded, int unit) {
+    return Arrays.copyOfRange(encoded.bytes(), encoded.start(unit) + 4, encoded.start(unit + 1));
   }
 
   private BufferedImage image(Moment moment, Overlay overlay, double part) {
     SimSnapshot snapshot = moment.snapshot();
     PinholeCamera eye = camera(snapshot, FIRST_HEADING + part * (LAST_HEADING - FIRST_HEADING));
     overlay.advance(snapshot, snapshot.time().nanos());
-    overlay.show(GoalMark.of(moment.progress(), snapshot.arena()), List.of());
+    overlay.show(PlacedGoal.of(moment.progress(), snapshot.arena()), List.of());
     camera.draw(
         scenes.scene(snapshot).withOverlay(overlay.instances(snapshot, new Eye(eye.pose(), NEAR))),
         eye,
@@ -221,7 +225,10 @@ class ReadmeFilmTest {
     return smooth(argb);
   }
 
-  /** Looks at the middle of the room, from so far that its diagonal is in the picture. */
+  /**
+   * Returns a camera that looks at the middle of the room, from a distance at which the room's
+   * diagonal is visible.
+   */
   private static PinholeCamera camera(SimSnapshot snapshot, double heading) {
     Attitude view =
         Attitude.ofHeading(heading)
@@ -236,7 +243,7 @@ class ReadmeFilmTest {
         NEAR);
   }
 
-  /** Each pixel is the mean of those that were drawn for it, before a background. */
+  /** Averages the pixels that were rendered for each pixel, in front of a background. */
   private static BufferedImage smooth(int[] argb) {
     BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
     for (int y = 0; y < HEIGHT; y++) {
@@ -267,7 +274,7 @@ class ReadmeFilmTest {
         Math.round(SKY.getBlue() + part * (GROUND.getBlue() - SKY.getBlue())));
   }
 
-  /** The same in Y, Cb and Cr of ITU-R BT.601 at limited range. */
+  /** Converts to Y, Cb and Cr of ITU-R BT.601 at limited range. */
   private static Picture picture(BufferedImage image) {
     Picture picture = new Picture(WIDTH, HEIGHT);
     for (int y = 0; y < HEIGHT; y++) {

@@ -5,11 +5,19 @@ import java.util.List;
 import java.util.function.Supplier;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
+import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenario.ScenarioFile;
 
-/** Reads scenario files, and says all that is wrong with them; nothing flies. For one thread. */
+/**
+ * Reads scenario files and prints all errors in them, without simulating anything. Not thread-safe.
+ */
 final class CheckSubcommand implements Subcommand {
+
+  /**
+   * Number of courses that are drawn of a file with ranges. Decided: one that rarely fits fails.
+   */
+  private static final int COURSES = 20;
 
   private final OptionList optionList =
       OptionList.of(
@@ -30,8 +38,9 @@ final class CheckSubcommand implements Subcommand {
       int code = ExitCode.DONE;
       for (Path file : files.get()) {
         try {
-          ScenarioOptions.checkPictures(ScenarioFile.read(file).config().arena());
-          to.out().println(file + ": no mistakes");
+          OpenedScenario opened = OpenedScenario.of(ScenarioFile.open(file), file);
+          ScenarioOptions.checkPictures(opened.scenario().config().arena());
+          to.out().println(file + ": no mistakes" + courses(opened));
         } catch (ScenarioException | IllegalArgumentException e) {
           String where = e instanceof ScenarioException ? "" : file + ": ";
           to.err().println(where + e.getMessage());
@@ -40,5 +49,13 @@ final class CheckSubcommand implements Subcommand {
       }
       return code;
     };
+  }
+
+  /** Draws some courses if there are ranges, and returns a remark about them. */
+  private static String courses(OpenedScenario opened) throws ScenarioException {
+    for (long seed = 1; seed <= COURSES && opened.varies(); seed++) {
+      opened.drawnFrom(seed);
+    }
+    return opened.varies() ? ", also with the seeds 1 to " + COURSES : "";
   }
 }

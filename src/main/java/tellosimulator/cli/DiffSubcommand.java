@@ -17,7 +17,7 @@ import tellosimulator.report.ComparisonReport.NamedFlight;
 import tellosimulator.report.FlightReports;
 import tellosimulator.report.ReportTexts;
 
-/** Compares two recordings. For one thread. */
+/** Compares two recordings. Not thread-safe. */
 final class DiffSubcommand implements Subcommand {
 
   private final OptionList optionList =
@@ -49,7 +49,10 @@ final class DiffSubcommand implements Subcommand {
     return other.isPresent() ? compare(one.get(), other.get(), to) : ExitCode.FAILED;
   }
 
-  /** A recording, after its remarks; empty after a sentence if it cannot be read. */
+  /**
+   * Reads a recording and prints the remarks about it. If an I/O error occurs, prints a message and
+   * returns empty.
+   */
   private static Optional<Flight> read(Path folder, ProgramOutput to)
       throws UnreadableRecordingException {
     try {
@@ -75,7 +78,7 @@ final class DiffSubcommand implements Subcommand {
     return comparison.alike() ? ExitCode.DONE : ExitCode.FLIGHTS_DIFFER;
   }
 
-  /** Writes the page; whether it is there. */
+  /** Writes the comparison page; returns whether writing succeeded. */
   private boolean write(Path file, Flight one, Flight other, ProgramOutput to) {
     try {
       new ComparisonReport(

@@ -4,14 +4,17 @@ import java.io.PrintStream;
 import tellosimulator.words.Printable;
 
 /**
- * Prints text without the control characters in it, as {@link Printable} has it: what is printed
- * may repeat names, files and datagrams from outside. For any thread.
+ * Prints text with control characters replaced by {@link Printable}, because the text may contain
+ * file names, file contents or datagrams from untrusted sources. Thread-safe.
  */
 public final class EscapingPrintStream extends PrintStream {
 
   private final PrintStream to;
 
-  /** Prints to a stream, and flushes when that does. */
+  /**
+   * Creates a stream that prints to another one. The other stream determines when the output is
+   * flushed.
+   */
   public EscapingPrintStream(PrintStream to) {
     super(to);
     this.to = to;

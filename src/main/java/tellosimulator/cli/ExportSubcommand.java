@@ -13,7 +13,7 @@ import tellosimulator.files.IoReason;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.UnreadableRecordingException;
 
-/** Writes a recording in the format of another tool. For one thread. */
+/** Writes a recording in the format of another tool. Not thread-safe. */
 final class ExportSubcommand implements Subcommand {
 
   private final OptionList optionList =
@@ -33,7 +33,8 @@ final class ExportSubcommand implements Subcommand {
                   .collect(Collectors.joining("|")),
               "The format: pcap for Wireshark, mcap for Foxglove and PlotJuggler. flight.csv of the"
                   + " recording is a table already.")
-          .readRequired(OptionTypes::exportFormat);
+          .readRequired(
+              word -> OptionTypes.byName(word, ExportFormat.values(), ExportFormat::word));
 
   private final OptionValue<Optional<Path>> output =
       optionList.output("The file to write. Default: flight.pcap or flight.mcap in the folder.");

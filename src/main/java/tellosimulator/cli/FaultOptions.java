@@ -12,7 +12,7 @@ import tellosimulator.fault.FaultTextException;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.sim.SimConfig;
 
-/** The options that say what goes wrong. */
+/** The command-line options for faults. */
 final class FaultOptions {
 
   private static final String FAULT = "--fault";
@@ -40,9 +40,10 @@ final class FaultOptions {
   }
 
   /**
-   * What a scenario says, with what the options say about it.
+   * Returns the faults of a scenario combined with those from the options.
    *
-   * @throws IllegalArgumentException with a sentence, if a fault is of a drone that is not there
+   * @throws IllegalArgumentException if a fault names a drone that does not exist; the message is
+   *     one sentence
    */
   FaultPlan applied(FaultPlan written, SimConfig config) {
     int drones = config.drones().size();

@@ -15,17 +15,17 @@ import tellosimulator.scenario.ScenarioException;
 import tellosimulator.words.Spelling;
 
 /**
- * Reads a command line, and does what it asks for; help, version and mistakes are the same for the
- * simulator and all subcommands. For one thread.
+ * Parses a command line and executes it. Help, version and errors are handled in the same way for
+ * the simulator and all subcommands. Not thread-safe.
  */
 public final class Invocation {
 
   private static final String HINT = " Try --help.";
 
-  /** What is done once the options are read. */
+  /** The action to run once the options are parsed. */
   @FunctionalInterface
   public interface Action {
-    /** Returns the {@link ExitCode}. */
+    /** Runs the action; returns the {@link ExitCode}. */
     int run() throws UnreadableRecordingException, PortTakenException, InterruptedException;
   }
 
@@ -34,10 +34,10 @@ public final class Invocation {
   private final ProgramOutput output;
 
   /**
-   * Does nothing yet.
+   * Creates an invocation without running it.
    *
-   * @param subcommands words that may come first on the command line; what is read here begins with
-   *     none of them
+   * @param subcommands the names of all subcommands; candidates for a suggestion if the first
+   *     argument is misspelt
    */
   public Invocation(CommandLine commandLine, Collection<String> subcommands, ProgramOutput output) {
     this.commandLine = commandLine;
@@ -46,11 +46,12 @@ public final class Invocation {
   }
 
   /**
-   * Reads the words, and carries out what they ask for, unless that is help or the version.
+   * Parses the arguments and executes them, unless they request help or the version.
    *
-   * @param reading looks whether the options fit together, and says what is to be done; its {@link
-   *     IllegalArgumentException} is told as a mistake in the options, and none of the action's
-   * @return the {@link ExitCode}, after a sentence where something is wrong
+   * @param reading checks the options and returns the action; an {@link IllegalArgumentException}
+   *     thrown by this supplier is reported as an error in the options, but one thrown by the
+   *     action is not
+   * @return the {@link ExitCode}; if there was an error, a message has been printed
    */
   public int run(String[] args, Supplier<Action> reading) {
     Action action;
@@ -95,9 +96,7 @@ public final class Invocation {
       }
       return "There is no option "
           + word
-          + Spelling.meant(word.replaceFirst("=.*", ""), known)
-              .map(meant -> ", did you mean " + meant + "?")
-              .orElse(".")
+          + Spelling.hint(word.replaceFirst("=.*", ""), known, ".")
           + HINT;
     }
     return e.getCause() instanceof ScenarioException wrong

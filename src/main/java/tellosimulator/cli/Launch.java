@@ -4,9 +4,9 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.scenario.OpenedScenario;
 
 /**
- * What is to be run, once all options are known to fit together.
+ * A simulation to be run. All options have been checked.
  *
- * @param scenario with what the options say about it
- * @param addresses where its drones listen
+ * @param scenario the scenario with all options applied
+ * @param addresses the listen addresses of the drones
  */
 public record Launch(OpenedScenario scenario, AddressPlan addresses) {}

@@ -11,21 +11,30 @@ import tellosimulator.network.Reach;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig.StreamPorts;
 
-/** The options that say where drones listen, to whom, and where what they send goes. */
+/**
+ * The command-line options for the addresses of the drones, the hosts that may operate the drones,
+ * and the ports to which the drones send.
+ */
 final class NetworkOptions {
 
-  /** Where operator programs take state and video. */
+  /** The port on which operator programs usually receive state. */
   static final String USUAL_STATE_PORT = Integer.toString(StreamPorts.DEFAULT.statePort());
 
   static final String USUAL_VIDEO_PORT = Integer.toString(StreamPorts.DEFAULT.videoPort());
 
   private final OptionValue<Integer> commandPort;
   private final OptionValue<Integer> statePort;
-  private final OptionValue<OptionTypes.PortList> videoPorts;
-  private final OptionValue<OptionalInt> replyPort;
-  private final OptionValue<Optional<OptionTypes.AddressList>> bind;
+  private final OptionValue<List<Integer>> videoPorts;
+
+  /**
+   * The port to which replies go; if empty, each reply goes to the port from which its command
+   * came.
+   */
+  final OptionValue<OptionalInt> replyPort;
+
+  private final OptionValue<Optional<List<InetAddress>>> bind;
   private final OptionValue<Boolean> lan;
-  private final OptionValue<OperatorRule> operators;
+  final OptionValue<OperatorRule> operators;
   private final OptionValue<Boolean> portPerDrone;
 
   NetworkOptions(OptionList optionList) {
@@ -37,7 +46,7 @@ final class NetworkOptions {
                 "--video-port",
                 "PORT,...",
                 "Where your program takes the drone's video: one port for all drones, or one for"
-                    + " each. Default: 11111.")
+                    + " each.")
             .read(OptionTypes::portsOfDrones, USUAL_VIDEO_PORT);
     replyPort =
         optionList
@@ -45,7 +54,7 @@ final class NetworkOptions {
                 "--reply-port",
                 "sender|PORT",
                 "Where replies go on your program's host: to the port that the command came from,"
-                    + " or always to the same one. Default: sender.")
+                    + " or always to the same one.")
             .read(OptionTypes::replyPort, "sender");
     bind =
         optionList
@@ -67,8 +76,7 @@ final class NetworkOptions {
                 "--operator",
                 "first|ADDRESS|anyone",
                 "Who operates a drone: the host that first sends command, until it lets go; one"
-                    + " host alone; or anyone, as with the real drone. Others may only read."
-                    + " Default: first.")
+                    + " host alone; or anyone, as with the real drone. Others may only read.")
             .read(OptionTypes::operators, "first");
     portPerDrone =
         optionList.flag(
@@ -78,44 +86,35 @@ final class NetworkOptions {
   }
 
   /**
-   * The option that says at which port of this machine commands are taken.
+   * Adds the option for the local port on which commands are received.
    *
-   * @param what is said at that port
+   * @param what the purpose of that port, for the help
    */
   static OptionValue<Integer> commandPort(OptionList optionList, String what) {
     return optionList
-        .option("--command-port", "PORT", what + "; 0 chooses a free port. Default: 8879.")
+        .option("--command-port", "PORT", what + "; 0 chooses a free port.")
         .read(OptionTypes::portOrFree, "8879");
   }
 
-  /** The option that says at which port of its machine a program takes the state. */
+  /** Adds the option for the port to which state is sent on the operator's machine. */
   static OptionValue<Integer> statePort(OptionList optionList) {
     return optionList
-        .option(
-            "--state-port", "PORT", "Where your program takes the drone's state. Default: 8890.")
+        .option("--state-port", "PORT", "Where your program takes the drone's state.")
         .read(OptionTypes::port, USUAL_STATE_PORT);
   }
 
-  /** Where replies go; empty for the port that the command came from. */
-  OptionalInt replyPort() {
-    return replyPort.value();
-  }
-
-  OperatorRule operators() {
-    return operators.value();
-  }
-
-  /** How many addresses there are if each is for one drone. */
+  /** Returns the number of addresses to bind if each of them is for one drone; otherwise empty. */
   OptionalInt addresses() {
     return bind.value().isPresent() && !portPerDrone.value()
-        ? OptionalInt.of(bind.value().get().addresses().size())
+        ? OptionalInt.of(bind.value().get().size())
         : OptionalInt.empty();
   }
 
   /**
-   * Looks whether each drone has an address.
+   * Checks that {@code --bind}, if given without {@code --port-per-drone}, has one address for each
+   * drone.
    *
-   * @throws IllegalArgumentException with a sentence, if not
+   * @throws IllegalArgumentException if the numbers differ; the message is one sentence
    */
   void checkAddresses(int drones) {
     if (addresses().orElse(drones) != drones) {
@@ -129,12 +128,13 @@ final class NetworkOptions {
   }
 
   /**
-   * Looks whether each drone has a port for its video.
+   * Checks that there is one video port for all drones, or one for each.
    *
-   * @throws IllegalArgumentException with a sentence, if not
+   * @throws IllegalArgumentException if there is any other number of ports; the message is one
+   *     sentence
    */
   void checkVideoPorts(int drones) {
-    int ports = videoPorts.value().ports().size();
+    int ports = videoPorts.value().size();
     if (ports != 1 && ports != drones) {
       throw new IllegalArgumentException(
           String.format(
@@ -146,22 +146,23 @@ final class NetworkOptions {
   }
 
   /**
-   * Where state and video of a drone go.
+   * Returns the ports to which a drone's state and video go.
    *
-   * @param drone its number, from 1
-   * @param said what else says so
+   * @param drone the drone's number, from 1
+   * @param said the ports to use if no options are given
    */
   StreamPorts streamPorts(int drone, StreamPorts said) {
-    List<Integer> ports = videoPorts.value().ports();
+    List<Integer> ports = videoPorts.value();
     return new StreamPorts(
         statePort.or(said.statePort()),
         videoPorts.given() ? ports.get((drone - 1) % ports.size()) : said.videoPort());
   }
 
   /**
-   * Which drone listens where; also where there are more drones than addresses to bind.
+   * Returns the listen addresses of all drones. If the number of addresses to bind differs from the
+   * number of drones, each drone listens on its own port at all of these addresses.
    *
-   * @throws IllegalArgumentException with a sentence, if there are not enough ports
+   * @throws IllegalArgumentException if there are not enough ports; the message is one sentence
    */
   AddressPlan addressPlan(Scenario scenario) {
     return endpoints(scenario).withReach(lan.value() ? Reach.NETWORK : Reach.THIS_MACHINE);
@@ -170,7 +171,7 @@ final class NetworkOptions {
   private AddressPlan endpoints(Scenario scenario) {
     int count = scenario.config().drones().size();
     int port = commandPort.value();
-    Optional<List<InetAddress>> bound = bind.value().map(OptionTypes.AddressList::addresses);
+    Optional<List<InetAddress>> bound = bind.value();
     if (bound.isPresent() && addresses().orElse(0) == count) {
       return AddressPlan.of(bound.get(), port);
     }

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import picocli.CommandLine;
@@ -14,9 +15,10 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 
 /**
- * The options of a command line, in the order of the help. They are made by calls, because finding
- * them as annotations costs 80 ms of the start. Measured: a program of as many options alone, in
- * turns, medians of 21, 288 rather than 368 ms.
+ * The options of a command line, in the order of the help. The options are declared by method calls
+ * rather than annotations, because searching for annotations takes 80 ms at startup. Measured: a
+ * program with this many options starts in 288 ms instead of 368 ms (medians of 21 alternating
+ * runs).
  */
 final class OptionList {
 
@@ -40,7 +42,7 @@ final class OptionList {
     spec.usageMessage().sortOptions(false).autoWidth(true).header(header).footer(footer);
   }
 
-  /** Those of the simulator. */
+  /** Creates the list for the simulator. */
   static OptionList ofSimulator() {
     return new OptionList(
         PROGRAM,
@@ -50,33 +52,36 @@ final class OptionList {
   }
 
   private static String row(SubcommandName subcommand) {
-    return String.format(Locale.ROOT, "  %-7s %s", subcommand.word(), subcommand.does());
+    return String.format(Locale.ROOT, "  %-8s %s", subcommand.word(), subcommand.does());
   }
 
   /**
-   * Those of a subcommand.
+   * Creates the list for a subcommand.
    *
-   * @param does a sentence
-   * @param exitCodes what they mean, in a sentence
+   * @param does a sentence about the purpose of the subcommand
+   * @param exitCodes a sentence about the meaning of its exit codes
    */
   static OptionList of(SubcommandName subcommand, String does, String exitCodes) {
     return new OptionList(PROGRAM + " " + subcommand.word(), does, "", exitCodes);
   }
 
-  /** Reads the command line into the option values, and explains them. */
+  /** Returns a parser for these options. The parser also prints their help. */
   CommandLine commandLine(IVersionProvider version) {
     spec.mixinStandardHelpOptions(true).versionProvider(version);
-    return new CommandLine(spec).setExpandAtFiles(false); // @ may begin the name of a file
+    return new CommandLine(spec).setExpandAtFiles(false); // file names may begin with @
   }
 
-  /** The options that were read last. */
+  /** Returns the names of the options in the most recently parsed command line. */
   List<String> given() {
     return spec.commandLine().getParseResult().matchedOptions().stream()
         .map(OptionSpec::longestName)
         .toList();
   }
 
-  /** The subcommand and the words that were read last, as they were typed. */
+  /**
+   * Returns the subcommand and the arguments of the most recently parsed command line, as they were
+   * typed.
+   */
   List<String> words() {
     return Stream.concat(
             Stream.of(spec.name().replaceFirst(".* ", "")),
@@ -85,9 +90,10 @@ final class OptionList {
   }
 
   /**
-   * The folder of a recording, which must be named after those that are added before.
+   * Adds a positional parameter for the folder of a recording, after any positional parameters that
+   * were added earlier.
    *
-   * @param label what stands for it in the help
+   * @param label the placeholder in the help
    */
   Supplier<Path> recording(String label) {
     PositionalParamSpec folder =
@@ -105,9 +111,9 @@ final class OptionList {
   }
 
   /**
-   * Files, at least one.
+   * Adds a positional parameter for one or more files.
    *
-   * @param label what stands for each in the help
+   * @param label the placeholder for each file in the help
    */
   Supplier<List<Path>> files(String label, String description) {
     PositionalParamSpec files =
@@ -125,10 +131,28 @@ final class OptionList {
     return files::getValue;
   }
 
+  /** Adds a required positional parameter that is one of several words. */
+  <T> Supplier<T> word(String label, String description, T[] values, Function<T, String> name) {
+    ITypeConverter<Object> converter = word -> OptionTypes.byName(word, values, name);
+    PositionalParamSpec word =
+        PositionalParamSpec.builder()
+            .paramLabel(label)
+            .description(description)
+            .type(Object.class)
+            .converters(converter)
+            .index("0")
+            .arity("1")
+            .required(true)
+            .build();
+    spec.addPositional(word);
+    return word::getValue;
+  }
+
   /**
-   * Lets any words follow, also such as look like options; {@link #words} has them.
+   * Accepts any remaining words, even those that look like options; {@link #words} also returns
+   * these words.
    *
-   * @param label what stands for them in the help
+   * @param label the placeholder in the help
    */
   void anyWords(String label, String description) {
     spec.parser().unmatchedOptionsArePositionalParams(true);
@@ -144,20 +168,29 @@ final class OptionList {
             .build());
   }
 
-  /** The file that a subcommand writes. */
+  /** Adds the option for the output file of a subcommand. */
   OptionValue<Optional<Path>> output(String description) {
     return new Valued(valued(description, "FILE", "-o", "--output"))
         .readIfGiven(OptionTypes::outputFile);
   }
 
-  /** An option without a value. */
+  /** Adds the option for the output folder of a subcommand. */
+  OptionValue<Optional<Path>> outputFolder(String description) {
+    return new Valued(valued(description, "DIR", "-o", "--output"))
+        .readIfGiven(OptionTypes::fileOrFolder);
+  }
+
+  /** Adds an option without a value. */
   OptionValue<Boolean> flag(String name, String description) {
     return new OptionValue<>(
         added(OptionSpec.builder(name).description(description).type(boolean.class).arity("0")),
         false);
   }
 
-  /** An option without a value that the program gives to itself; the help leaves it out. */
+  /**
+   * Adds an option without a value for internal use. Only the program itself passes the option, to
+   * processes that it starts; the help omits the option.
+   */
   OptionValue<Boolean> hiddenFlag(String name) {
     return new OptionValue<>(
         added(OptionSpec.builder(name).hidden(true).type(boolean.class).arity("0")), false);
@@ -170,9 +203,9 @@ final class OptionList {
   }
 
   /**
-   * An option with a value.
+   * Starts the declaration of an option with a value.
    *
-   * @param label what stands for the value in the help
+   * @param label the placeholder for the value in the help
    */
   Valued option(String name, String label, String description) {
     return new Valued(valued(description, label, name));
@@ -186,7 +219,7 @@ final class OptionList {
         .arity("1");
   }
 
-  /** An option with a value, of which it is still to be said how it is read. */
+  /** An option with a value; its converter must be set next. */
   final class Valued {
 
     private final OptionSpec.Builder builder;
@@ -196,28 +229,34 @@ final class OptionList {
     }
 
     /**
-     * The value is always there.
+     * Adds the option with a default value. The help states the default.
      *
-     * @param byDefault what is read if the option is not given
+     * @param byDefault the default value as a word, which the converter must accept
      */
     <T> OptionValue<T> read(ITypeConverter<T> converter, String byDefault) {
+      builder.description(builder.description()[0] + " Default: " + byDefault + ".");
       return new OptionValue<>(
           added(builder.converters(converter)), converted(converter, byDefault));
     }
 
-    /** The value is there if the option is given. */
+    /** Adds the option with a default value. Its value must be one of several words. */
+    <T> OptionValue<T> readOneOf(T[] values, Function<T, String> name, T byDefault) {
+      return read(word -> OptionTypes.byName(word, values, name), name.apply(byDefault));
+    }
+
+    /** Adds the option without a default value. */
     <T> OptionValue<Optional<T>> readIfGiven(ITypeConverter<T> converter) {
       ITypeConverter<Optional<T>> present = word -> Optional.of(converter.convert(word));
       return new OptionValue<>(added(builder.converters(present)), Optional.empty());
     }
 
-    /** The option must be given. */
+    /** Adds the option as required. */
     <T> Supplier<T> readRequired(ITypeConverter<T> converter) {
       OptionSpec option = added(builder.required(true).converters(converter));
       return option::getValue;
     }
 
-    /** The option can be given several times. */
+    /** Adds the option as repeatable. */
     <T> OptionValue<List<T>> readEach(ITypeConverter<T> converter) {
       builder.type(List.class).auxiliaryTypes(Object.class);
       return new OptionValue<>(added(builder.converters(converter)), List.of());

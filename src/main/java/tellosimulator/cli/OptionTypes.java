@@ -3,51 +3,39 @@ package tellosimulator.cli;
 import java.math.BigDecimal;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.UnknownHostException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import picocli.CommandLine.TypeConversionException;
 import tellosimulator.command.OperatorRule;
-import tellosimulator.export.ExportFormat;
 import tellosimulator.fault.FaultParameter;
-import tellosimulator.goal.Challenge;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
-import tellosimulator.profile.Behavior;
-import tellosimulator.profile.Profile;
 import tellosimulator.recording.RecordingFile;
+import tellosimulator.scenario.Quantity;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
-import tellosimulator.world.Walls;
 
-/** How words of the command line are read; each mistake is a sentence. */
+/** Parses the words of the command line. Each error is reported in one sentence. */
 final class OptionTypes {
 
   private static final String NUMBER = "(-?[0-9]+(?:\\.[0-9]+)?)";
 
+  /** Maximum number of flights at a time. Decided: those of the largest machines. */
+  private static final int MOST_JOBS = 256;
+
   private OptionTypes() {}
-
-  /** A place on the floor in centimetres. */
-  record Point(double x, double y) {
-    Vec3 inMeters() {
-      return new Vec3(Frames.meters(x), Frames.meters(y), 0);
-    }
-  }
-
-  /** One or more addresses, all different. */
-  record AddressList(List<InetAddress> addresses) {}
 
   private static final String PORT = "a port from 1 to " + AddressPlan.HIGHEST_PORT;
 
@@ -55,15 +43,9 @@ final class OptionTypes {
     return wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, PORT);
   }
 
-  /** One port for all drones, or one for each. */
-  record PortList(List<Integer> ports) {}
-
-  static PortList portsOfDrones(String words) {
-    List<Integer> ports = new ArrayList<>();
-    for (String word : words.split(",", -1)) {
-      ports.add(port(word));
-    }
-    return new PortList(List.copyOf(ports));
+  /** Parses one port for all drones, or one for each drone. */
+  static List<Integer> portsOfDrones(String words) {
+    return Stream.of(words.split(",", -1)).map(OptionTypes::port).toList();
   }
 
   static Integer portOrFree(String word) {
@@ -82,17 +64,17 @@ final class OptionTypes {
         return Path.of(word);
       }
     } catch (InvalidPathException e) {
-      // told below
+      // reported below
     }
     throw diagnostic("the name of a file or a folder", word);
   }
 
-  /** The folder of a recording, which may be named by a file in it. */
+  /** Parses the folder of a recording. A file in the folder may be given instead. */
   static Path recording(String word) {
     return RecordingFile.folderOf(fileOrFolder(word));
   }
 
-  /** A file to be written, which must not be part of a recording. */
+  /** Parses the name of an output file, which must not be part of a recording. */
   static Path outputFile(String word) {
     Path file = fileOrFolder(word);
     if (RecordingFile.belongsToRecording(file)) {
@@ -100,10 +82,6 @@ final class OptionTypes {
           file + " is a file of a recording, which would be lost; name another file");
     }
     return file;
-  }
-
-  static ExportFormat exportFormat(String word) {
-    return byName(word, List.of(ExportFormat.values()), ExportFormat::word);
   }
 
   static Double fieldOfView(String word) {
@@ -122,17 +100,21 @@ final class OptionTypes {
         word, 1, AddressPlan.MOST_DRONES, "a number from 1 to " + AddressPlan.MOST_DRONES);
   }
 
+  static Integer jobs(String word) {
+    return wholeNumber(word, 1, MOST_JOBS, "a number from 1 to " + MOST_JOBS);
+  }
+
   static Long seed(String word) {
-    if (!word.matches("-?[0-9]{1,18}")) { // as in scenario files
+    if (!word.matches("-?[0-9]{1,18}")) { // the same form as in scenario files
       throw diagnostic("a whole number of at most 18 digits", word);
     }
     return Long.valueOf(word);
   }
 
-  private static final Pattern ADDRESSES_FORM = Pattern.compile("[0-9]{1,3}(\\.[0-9]{1,3}){3}");
   private static final String EXPECTED = "an address of this machine such as 127.0.0.2";
 
-  static AddressList addresses(String words) throws UnknownHostException {
+  /** Parses one or more addresses, all different. */
+  static List<InetAddress> addresses(String words) {
     List<InetAddress> addresses = new ArrayList<>();
     for (String word : words.split(",", -1)) {
       InetAddress address = address(word, EXPECTED);
@@ -142,28 +124,20 @@ final class OptionTypes {
       }
       addresses.add(address);
     }
-    return new AddressList(List.copyOf(addresses));
+    return addresses;
   }
 
-  private static InetAddress address(String word, String expected) throws UnknownHostException {
-    if (!ADDRESSES_FORM.matcher(word).matches()
-        || Arrays.stream(word.split("\\.", -1)).anyMatch(part -> Integer.parseInt(part) > 255)) {
-      throw diagnostic(expected, word);
-    }
-    InetAddress address = InetAddress.getByName(word);
-    if (!AddressPlan.isOfOneHost(address)) {
-      throw diagnostic(expected, word);
-    }
-    return address;
+  private static InetAddress address(String word, String expected) {
+    return AddressPlan.parse(word).orElseThrow(() -> diagnostic(expected, word));
   }
 
-  /** One address of this machine. */
-  static InetAddress ownAddress(String word) throws UnknownHostException {
+  /** Parses one address of this machine. */
+  static InetAddress ownAddress(String word) {
     return address(word, EXPECTED);
   }
 
-  /** Where a drone takes commands; where it always does, unless a port is said. */
-  static InetSocketAddress droneAddress(String word) throws UnknownHostException {
+  /** Parses the command address of a drone; the default port is the one that real drones use. */
+  static InetSocketAddress droneAddress(String word) {
     String expected = "the address of a drone such as 192.168.10.1 or 192.168.10.1:8889";
     int colon = word.indexOf(':');
     InetAddress host = address(colon < 0 ? word : word.substring(0, colon), expected);
@@ -174,7 +148,7 @@ final class OptionTypes {
     return new InetSocketAddress(host, port);
   }
 
-  static OperatorRule operators(String word) throws UnknownHostException {
+  static OperatorRule operators(String word) {
     return switch (word) {
       case "first" -> OperatorRule.FIRST;
       case "anyone" -> OperatorRule.ANYONE;
@@ -183,51 +157,28 @@ final class OptionTypes {
     };
   }
 
-  static Profile profileName(String word) {
-    return byName(word, List.of(Profile.values()), Profile::option);
-  }
-
-  static Behavior behaviorName(String word) {
-    return byName(word, List.of(Behavior.values()), Behavior::option);
-  }
-
-  static String logLevel(String word) {
-    return byName(word, List.of("error", "warn", "info", "debug", "off"), Function.identity());
-  }
-
   private static final Pattern ROOM_SIZE_FORM =
       Pattern.compile(NUMBER + "x" + NUMBER + "x" + NUMBER);
 
   static Room roomSize(String word) {
-    Matcher sizes = ROOM_SIZE_FORM.matcher(word);
-    if (!sizes.matches()) {
-      throw diagnostic("width, depth and height in cm such as 500x500x300", word);
-    }
+    Matcher sizes =
+        matched(ROOM_SIZE_FORM, word, "width, depth and height in cm such as 500x500x300");
     try {
       return new Room(meters(sizes, 1), meters(sizes, 2), meters(sizes, 3));
     } catch (IllegalArgumentException e) {
-      throw diagnostic(
-          "width, depth and height from "
-              + centimeters(Room.SHORTEST)
-              + " to "
-              + centimeters(Room.LONGEST)
-              + " cm",
-          word);
+      throw diagnostic("width, depth and height " + range(Quantity.ROOM_EDGE) + " cm", word);
     }
-  }
-
-  static Walls wallsName(String word) {
-    return byName(word, List.of(Walls.values()), Walls::option);
   }
 
   private static final Pattern POSTER_ON_WALL_FORM =
       Pattern.compile("([a-z]+)," + NUMBER + "," + NUMBER + "," + NUMBER + ",(.+)");
 
   static Poster posterOnWall(String word) {
-    Matcher parts = POSTER_ON_WALL_FORM.matcher(word);
-    if (!parts.matches()) {
-      throw diagnostic("WALL,ALONG,HEIGHT,WIDTH,FILE such as front,0,120,30,face.png", word);
-    }
+    Matcher parts =
+        matched(
+            POSTER_ON_WALL_FORM,
+            word,
+            "WALL,ALONG,HEIGHT,WIDTH,FILE such as front,0,120,30,face.png");
     Surface wall = Surface.byWord().get(parts.group(1));
     if (wall == null) {
       throw diagnostic("front, back, left, right, floor or ceiling", parts.group(1));
@@ -235,53 +186,39 @@ final class OptionTypes {
     try {
       return new Poster(wall, meters(parts, 2), meters(parts, 3), meters(parts, 4), parts.group(5));
     } catch (IllegalArgumentException e) {
-      throw diagnostic(
-          "a width from "
-              + centimeters(Poster.NARROWEST)
-              + " to "
-              + centimeters(Room.LONGEST)
-              + " cm",
-          parts.group(4));
+      throw diagnostic("a width " + range(Quantity.POSTER_WIDTH) + " cm", parts.group(4));
     }
   }
 
   private static final Pattern FLOOR_POINT_FORM = Pattern.compile(NUMBER + "," + NUMBER);
 
-  static Point floorPoint(String word) {
-    Matcher point = FLOOR_POINT_FORM.matcher(word);
-    if (!point.matches()) {
-      throw diagnostic("X,Y in cm such as 100,-50", word);
-    }
-    return new Point(Double.parseDouble(point.group(1)), Double.parseDouble(point.group(2)));
+  /** Parses a point on the floor. */
+  static Vec3 floorPoint(String word) {
+    Matcher point = matched(FLOOR_POINT_FORM, word, "X,Y in cm such as 100,-50");
+    return new Vec3(meters(point, 1), meters(point, 2), 0);
   }
 
   static TimeFactor factor(String word) {
     if (word.equals("max")) {
       return TimeFactor.MAX;
     }
-    try {
-      return new TimeFactor(word.matches(NUMBER) ? Double.parseDouble(word) : Double.NaN);
-    } catch (IllegalArgumentException e) {
-      throw diagnostic(
-          "a number from "
-              + plain(TimeFactor.SMALLEST)
-              + " to "
-              + plain(TimeFactor.LARGEST)
-              + ", or max",
-          word);
+    double factor = number(word);
+    if (!Quantity.TIME_FACTOR.contains(factor)) {
+      throw diagnostic("a number " + range(Quantity.TIME_FACTOR) + ", or max", word);
     }
+    return new TimeFactor(factor);
   }
 
   static Double seconds(String word) {
     double seconds = FaultParameter.Unit.SECONDS.read(word).orElse(0.0);
-    if (!(seconds > 0 && seconds <= Challenge.LONGEST)) {
+    if (!(seconds > 0 && seconds <= Quantity.TIME_LIMIT.most())) {
       throw diagnostic(
-          "a time such as 90 or 90s, of at most " + plain(Challenge.LONGEST) + " s", word);
+          "a time such as 90 or 90s, of at most " + plain(Quantity.TIME_LIMIT.most()) + " s", word);
     }
     return seconds;
   }
 
-  /** A whole number without sign. */
+  /** Parses a whole number without a sign. */
   private static int wholeNumber(String word, int least, int most, String expected) {
     int number = word.matches("[0-9]{1,9}") ? Integer.parseInt(word) : -1;
     if (number < least || number > most) {
@@ -291,11 +228,23 @@ final class OptionTypes {
   }
 
   private static double degrees(String word, int least, int most) {
-    double value = word.matches(NUMBER) ? Double.parseDouble(word) : Double.NaN;
+    double value = number(word);
     if (!(value >= least && value <= most)) {
       throw diagnostic("degrees from " + least + " to " + most, word);
     }
     return value;
+  }
+
+  private static double number(String word) {
+    return word.matches(NUMBER) ? Double.parseDouble(word) : Double.NaN;
+  }
+
+  private static Matcher matched(Pattern form, String word, String expected) {
+    Matcher matcher = form.matcher(word);
+    if (!matcher.matches()) {
+      throw diagnostic(expected, word);
+    }
+    return matcher;
   }
 
   private static TypeConversionException diagnostic(String expected, String word) {
@@ -307,22 +256,32 @@ final class OptionTypes {
     return Frames.meters(Double.parseDouble(sizes.group(group)));
   }
 
-  private static String centimeters(double meters) {
-    return plain(Frames.centimeters(meters));
+  private static String range(Quantity quantity) {
+    return "from " + bounds(quantity);
   }
 
-  /** Without decimals that say nothing. */
+  /**
+   * Formats the range of a quantity in the unit in which users write it, such as {@code 100 to
+   * 20000}.
+   */
+  static String bounds(Quantity quantity) {
+    return plain(quantity.least()) + " to " + plain(quantity.most());
+  }
+
+  /** Formats a number without trailing zeros. */
   private static String plain(double number) {
     return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
   }
 
-  private static <T> T byName(String word, List<T> values, Function<T, String> name) {
-    return values.stream()
+  /** Parses a word that must be the name of one of several values. */
+  static <T> T byName(String word, T[] values, Function<T, String> name) {
+    return Stream.of(values)
         .filter(value -> name.apply(value).equals(word))
         .findFirst()
         .orElseThrow(
             () ->
                 diagnostic(
-                    "one of " + values.stream().map(name).collect(Collectors.joining(", ")), word));
+                    "one of " + Stream.of(values).map(name).collect(Collectors.joining(", ")),
+                    word));
   }
 }

@@ -4,9 +4,10 @@ import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
 
 /**
- * What was chosen for an option: on the command line, or else by default. For one thread.
+ * The value of an option: the value from the command line or, if there is none, the default. Not
+ * thread-safe.
  *
- * @param <T> what it means
+ * @param <T> the type of the value
  */
 final class OptionValue<T> {
 
@@ -14,8 +15,10 @@ final class OptionValue<T> {
   private final T byDefault;
 
   /**
-   * @param option whose values are read as {@code T}
-   * @param byDefault what is chosen unless the option is given
+   * Creates the value of an option.
+   *
+   * @param option an option whose values are parsed as {@code T}
+   * @param byDefault the value if the option is not given
    */
   OptionValue(OptionSpec option, T byDefault) {
     this.option = option;
@@ -26,18 +29,18 @@ final class OptionValue<T> {
     return or(byDefault);
   }
 
-  /** Whether the option stands on the command line. */
+  /** Whether the option is given on the command line. */
   boolean given() {
     CommandLine line = option.command().commandLine();
     return line.getParseResult() != null && line.getParseResult().hasMatchedOption(option);
   }
 
-  /** What was chosen if the option is given, or else what somebody else says. */
+  /** Returns the option's value if the option is given, otherwise {@code said}. */
   T or(T said) {
     return given() ? option.getValue() : said;
   }
 
-  /** The option as one writes it. */
+  /** The option's name on the command line. */
   String name() {
     return option.longestName();
   }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Function;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
 import tellosimulator.math.Pose;
@@ -21,14 +22,17 @@ import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
+import tellosimulator.world.Room;
 
-/** What can be chosen on the command line, and what follows from it. */
+/** The command-line options of the simulator, and the {@link Launch} that they describe. */
 public final class Options {
 
   static final String CAMERA_FOV = "--camera-fov";
   static final String CAMERA_TILT = "--camera-tilt";
   static final String HEADLESS = "--headless";
   static final String LOG_LEVEL = "--log-level";
+
+  private static final String[] LOG_LEVELS = {"error", "warn", "info", "debug", "off"};
 
   private static final String CONTROL = "--control";
 
@@ -49,12 +53,12 @@ public final class Options {
               CAMERA_FOV,
               "DEG|manual",
               "What the camera sees from left to right, in degrees: 55 as measured, or manual for"
-                  + " the 82.6 degrees from corner to corner of the manual. Default: 55.")
+                  + " the 82.6 degrees from corner to corner of the manual.")
           .read(OptionTypes::fieldOfView, "55");
 
   private final OptionValue<Double> tiltDeg =
       optionList
-          .option(CAMERA_TILT, "DEG", "How far the camera looks down, in degrees. Default: 15.")
+          .option(CAMERA_TILT, "DEG", "How far the camera looks down, in degrees.")
           .read(OptionTypes::tilt, "15");
 
   private final OptionValue<Optional<Integer>> drones =
@@ -68,10 +72,8 @@ public final class Options {
   private final OptionValue<Profile> profile =
       optionList
           .option(
-              "--profile",
-              "edu|tello|tt",
-              "Which drone: Tello EDU, white Tello or RoboMaster TT. Default: edu.")
-          .read(OptionTypes::profileName, "edu");
+              "--profile", "edu|tello|tt", "Which drone: Tello EDU, white Tello or RoboMaster TT.")
+          .readOneOf(Profile.values(), Profile::option, Product.DEFAULT.profile());
 
   private final OptionValue<Behavior> behavior =
       optionList
@@ -79,8 +81,8 @@ public final class Options {
               "--behaviour",
               "report|measured",
               "report: exact, and strict about commands that come too early. measured: with the"
-                  + " noise, delays and errors of real drones. Default: report.")
-          .read(OptionTypes::behaviorName, "report");
+                  + " noise, delays and errors of real drones.")
+          .readOneOf(Behavior.values(), Behavior::option, Product.DEFAULT.behavior());
 
   private final FaultOptions faultOptions = new FaultOptions(optionList);
 
@@ -92,7 +94,7 @@ public final class Options {
               "--time-factor",
               "F|max",
               "How fast time passes: 5 is five times as fast. max runs as fast as the machine can"
-                  + " while a drone moves, and waits for your program otherwise. Default: 1.")
+                  + " while a drone moves, and waits for your program otherwise.")
           .read(OptionTypes::factor, "1");
 
   private final OptionValue<Boolean> noSafetyLanding =
@@ -117,8 +119,9 @@ public final class Options {
               "--seed",
               "N",
               "The same seed and the same commands give the same flight; with --time-factor max"
-                  + " also to the byte, for a program that waits for each reply. Default: 1.")
-          .read(OptionTypes::seed, "1");
+                  + " also to the byte, for a program that waits for each reply. Ranges in a"
+                  + " scenario are drawn from it.")
+          .read(OptionTypes::seed, Long.toString(SimConfig.DEFAULT.seed()));
 
   private final RecordingOptions recordingOptions = new RecordingOptions(optionList);
 
@@ -130,10 +133,10 @@ public final class Options {
               LOG_LEVEL,
               "LEVEL",
               "error, warn (refused commands), info (all commands and replies), debug (also reads"
-                  + " and rc), or off. Default: info.")
-          .read(OptionTypes::logLevel, "info");
+                  + " and rc), or off.")
+          .readOneOf(LOG_LEVELS, Function.identity(), "info");
 
-  /** Reads the command line into these options, and explains them. */
+  /** Returns a parser for these options. The parser also prints their help. */
   public CommandLine commandLine(IVersionProvider version) {
     return optionList.commandLine(version);
   }
@@ -150,76 +153,89 @@ public final class Options {
     return logLevel.value();
   }
 
-  /** Whether it is said in which room is flown, or with how many drones. */
+  /** Whether the options choose a room or a number of drones. */
   public boolean choosesRoom() {
-    return scenarioOptions.opened().isPresent() || drones.given() || roomOptions.given();
+    return opened().isPresent() || drones.given() || roomOptions.given();
   }
 
-  /** The drones' cameras. */
+  /** The optics of the drones' cameras. */
   public DroneOptics optics() {
     return new DroneOptics(Math.toRadians(fieldOfViewDeg.value()), Math.toRadians(tiltDeg.value()));
   }
 
   public OptionalInt replyPort() {
-    return network.replyPort();
+    return network.replyPort.value();
   }
 
-  /** The folder in which flights are recorded, as far as it is said. */
+  /** The folder in which flights are recorded, if given. */
   public Optional<Path> record() {
-    return recordingOptions.folder();
+    return recordingOptions.folder.value();
   }
 
-  /** The file of the report that is made at the end, as far as it is said. */
+  /** The file of the report that is written at the end, if given. */
   public Optional<Path> report() {
-    return recordingOptions.report();
+    return recordingOptions.report.value();
   }
 
-  /** The recording that the window is to show instead of a simulation, as far as it is said. */
+  /** The file of the result that is written at the end, if given. */
+  public Optional<Path> result() {
+    return recordingOptions.result.value();
+  }
+
+  /** The recording to show in the window instead of a simulation, if given. */
   public Optional<Path> replay() {
-    return replayOptions.folder();
+    return replayOptions.folder.value();
   }
 
-  /** The recording that is shown with it, as far as it is said. */
+  /** The second recording that is shown together with the replay, if given. */
   public Optional<Path> ghost() {
-    return replayOptions.ghost();
+    return replayOptions.ghost.value();
   }
 
   /**
-   * Looks whether what is said about replays fits together.
+   * Checks that the options for replays are consistent.
    *
-   * @throws IllegalArgumentException with a sentence, if it does not
+   * @throws IllegalArgumentException if they are inconsistent; the message is one sentence
    */
   public void checkReplay() {
     replayOptions.check();
   }
 
-  /** The port of the control channel, 0 for a free one; empty for no such channel. */
+  /**
+   * The port of the control channel; 0 lets the system choose. Empty if there is no control
+   * channel.
+   */
   public Optional<Integer> control() {
     return control.value();
   }
 
   public boolean listScenarios() {
-    return scenarioOptions.list();
+    return scenarioOptions.list.value();
   }
 
   public boolean exitWhenDone() {
     return scenarioOptions.endsByItself().isPresent();
   }
 
-  /** Whether the program may go on for a while after the verdict. */
+  /** Whether the operator program may continue for a while after the verdict. */
   public boolean awaitsProgram() {
-    return scenarioOptions.awaitsProgram();
+    return scenarioOptions.awaitProgram.value();
   }
 
-  /** After how much simulated time the goals are missed [s]. */
+  /** Whether the run ends once the program turns out not to wait for replies. */
+  public boolean awaitsReplies() {
+    return scenarioOptions.awaitReplies.value();
+  }
+
+  /** Simulated time after which the goals count as missed [s]. */
   public Optional<Double> timeout() {
-    return scenarioOptions.timeout();
+    return scenarioOptions.timeout.value();
   }
 
   /**
-   * What is to be run.
+   * Returns the simulation to run.
    *
-   * @throws IllegalArgumentException with a sentence, if the options do not fit together
+   * @throws IllegalArgumentException if the options are inconsistent; the message is one sentence
    */
   public Launch launch() {
     Scenario scenario = scenario();
@@ -236,37 +252,39 @@ public final class Options {
     ScenarioOptions.checkPictures(scenario.config().arena());
     recordingOptions.check(headless(), inputs(scenario));
     OpenedScenario opened =
-        scenarioOptions
-            .opened()
-            .map(read -> read.with(scenario))
-            .orElseGet(() -> OpenedScenario.once(scenario));
+        opened().map(read -> read.with(scenario)).orElseGet(() -> OpenedScenario.once(scenario));
     return new Launch(opened, addresses);
   }
 
-  /** The files that are read. */
+  private Optional<OpenedScenario> opened() {
+    return scenarioOptions.opened(seed);
+  }
+
+  /** Returns the files that the simulation reads. */
   private List<Path> inputs(Scenario scenario) {
     List<Path> inputs = new ArrayList<>();
-    scenarioOptions.opened().flatMap(OpenedScenario::file).ifPresent(inputs::add);
+    opened().flatMap(OpenedScenario::file).ifPresent(inputs::add);
     ScenarioOptions.pictures(scenario.config().arena()).map(Path::of).forEach(inputs::add);
     return inputs;
   }
 
   /**
-   * The scenario of the file, or an empty room, with all that the options say about it.
+   * Returns the scenario that the options select, or an empty room, with all options applied.
    *
-   * @throws IllegalArgumentException with a sentence, if options do not fit together
+   * @throws IllegalArgumentException if the options are inconsistent; the message is one sentence
    */
   Scenario scenario() {
-    Scenario base = scenarioOptions.scenario().map(this::alone).orElseGet(this::emptyRoom);
+    Scenario base =
+        opened().map(OpenedScenario::scenario).map(this::alone).orElseGet(this::emptyRoom);
     network.checkAddresses(base.config().drones().size());
     return changed(base);
   }
 
   /**
-   * A scenario with what the options say about every scenario.
+   * Returns a copy of a scenario with those options applied that every scenario permits.
    *
-   * @throws IllegalArgumentException with a sentence, if they do not fit together, or if a picture
-   *     cannot be read
+   * @throws IllegalArgumentException if the options are inconsistent or a picture cannot be read;
+   *     the message is one sentence
    */
   public Scenario applied(Scenario base) {
     Scenario scenario = changed(base);
@@ -277,19 +295,19 @@ public final class Options {
   private Scenario changed(Scenario base) {
     Decor decor = base.config().arena().decor();
     List<Poster> all = new ArrayList<>(decor.posters());
-    all.addAll(roomOptions.posters());
+    all.addAll(roomOptions.posters.value());
     SimConfig config =
         base.config()
-            .withDecor(decor.withWalls(roomOptions.walls().or(decor.walls())).withPosters(all))
+            .withDecor(decor.withWalls(roomOptions.walls.or(decor.walls())).withPosters(all))
             .withTimeFactor(timeFactor.or(base.config().timeFactor()))
             .withSeed(seed.or(base.config().seed()))
-            .withOperators(network.operators())
+            .withOperators(network.operators.value())
             .withFaults(faultOptions.applied(base.config().rules().faults(), base.config()));
     return base.withConfig(config.withDrones(changed(config.drones())));
   }
 
   private Scenario alone(Scenario scenario) {
-    for (OptionValue<?> option : List.of(drones, roomOptions.size(), roomOptions.startPoint())) {
+    for (OptionValue<?> option : List.of(drones, roomOptions.room, roomOptions.start)) {
       if (option.given()) {
         throw new IllegalArgumentException(
             option.name() + " does not go with --scenario, which says it");
@@ -300,8 +318,9 @@ public final class Options {
 
   private Scenario emptyRoom() {
     int count = drones.value().orElse(network.addresses().orElse(1));
-    List<Pose> starts = Formation.row(count, roomOptions.start(), roomOptions.room());
-    return Scenario.of(SimConfig.DEFAULT.withRoom(roomOptions.room(), starts));
+    Room room = roomOptions.room.value();
+    List<Pose> starts = Formation.row(count, roomOptions.start.value(), room);
+    return Scenario.of(SimConfig.DEFAULT.withRoom(room, starts));
   }
 
   private List<DroneSetup> changed(List<DroneSetup> setups) {
@@ -319,7 +338,10 @@ public final class Options {
     return changed;
   }
 
-  /** Which drone listens where; also where there are more drones than addresses to bind. */
+  /**
+   * Returns the listen addresses of all drones. If the number of addresses to bind differs from the
+   * number of drones, each drone listens on its own port at all of these addresses.
+   */
   public AddressPlan addressPlan(Scenario scenario) {
     return network.addressPlan(scenario);
   }

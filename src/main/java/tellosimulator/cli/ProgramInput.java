@@ -4,9 +4,9 @@ import java.io.InputStream;
 import java.util.function.Consumer;
 
 /**
- * The standard input of the program, and where to register shutdown tasks. For one thread.
+ * The standard input of the program, and the registration of shutdown tasks. Not thread-safe.
  *
- * @param in what is typed
- * @param atEnd takes what is to be done when the program is told to end, on a thread of its own
+ * @param in the standard input
+ * @param atEnd registers a task that runs on its own thread when the program is asked to end
  */
 public record ProgramInput(InputStream in, Consumer<Runnable> atEnd) {}

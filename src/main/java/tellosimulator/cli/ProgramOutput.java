@@ -7,13 +7,13 @@ import tellosimulator.recording.RecordedFlight;
 import tellosimulator.words.Translation;
 
 /**
- * Where the program writes to, and in which language; and what a person says to it. For one thread.
+ * The output streams, the language and the input of the program. Not thread-safe.
  *
- * @param out takes results
- * @param err takes sentences about what went wrong
- * @param help takes the help, which may have colors
- * @param translation finds the language of the program, which takes a file to be read
- * @param input what comes from a person meanwhile
+ * @param out the stream for results
+ * @param err the stream for error messages
+ * @param help the stream for the help, which may contain colors
+ * @param translation supplies the translation into the program's language; each call reads a file
+ * @param input the program's input
  */
 public record ProgramOutput(
     PrintStream out,
@@ -22,7 +22,7 @@ public record ProgramOutput(
     Supplier<Translation> translation,
     ProgramInput input) {
 
-  /** Prints what is missing of a recording. */
+  /** Prints the remarks about a recording. */
   void printRemarks(Path folder, RecordedFlight flight) {
     flight.remarks().forEach(remark -> out.println("remark: " + folder + ": " + remark.english()));
   }

@@ -28,14 +28,17 @@ import tellosimulator.recording.DroneRecorder;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.sim.SimConfig.StreamPorts;
 
-/** Stands between programs and a real drone, and records its flights. For one thread. */
+/**
+ * Runs a proxy between operator programs and a real drone, and records the flights. Not
+ * thread-safe.
+ */
 final class ProxySubcommand implements Subcommand {
 
   private final OptionList optionList =
       OptionList.of(
           SubcommandName.PROXY,
           "Passes commands on to a real drone, and back what it sends, and records its flights.",
-          "Exit code 0: ended by quit; 1: an address or a port cannot be had; 2: wrong options.");
+          "Exit code 0: ended by quit; 1: an address or a port is not available; 2: wrong options.");
 
   private final Supplier<InetSocketAddress> drone =
       optionList
@@ -50,7 +53,7 @@ final class ProxySubcommand implements Subcommand {
           .option(
               RecordingOptions.RECORD,
               "DIR",
-              "The folder in which each flight has a folder of its own. Default: recordings.")
+              "The folder in which each flight has a folder of its own.")
           .read(OptionTypes::fileOrFolder, "recordings");
 
   private final OptionValue<Optional<InetAddress>> bind =
@@ -74,8 +77,7 @@ final class ProxySubcommand implements Subcommand {
 
   private final OptionValue<Integer> videoPort =
       optionList
-          .option(
-              "--video-port", "PORT", "Where your program takes the drone's video. Default: 11111.")
+          .option("--video-port", "PORT", "Where your program takes the drone's video.")
           .read(OptionTypes::port, NetworkOptions.USUAL_VIDEO_PORT);
 
   private final OptionValue<Integer> droneStatePort =
@@ -83,7 +85,7 @@ final class ProxySubcommand implements Subcommand {
           .option(
               "--drone-state-port",
               "PORT",
-              "The port of this machine to which the drone sends its state. Default: 8890.")
+              "The port of this machine to which the drone sends its state.")
           .read(OptionTypes::portOrFree, NetworkOptions.USUAL_STATE_PORT);
 
   private final OptionValue<Integer> droneVideoPort =
@@ -91,7 +93,7 @@ final class ProxySubcommand implements Subcommand {
           .option(
               "--drone-video-port",
               "PORT",
-              "The port of this machine to which the drone sends its video. Default: 11111.")
+              "The port of this machine to which the drone sends its video.")
           .read(OptionTypes::portOrFree, NetworkOptions.USUAL_VIDEO_PORT);
 
   @Override
@@ -150,7 +152,10 @@ final class ProxySubcommand implements Subcommand {
         new StreamPorts(statePort.value(), videoPort.value()));
   }
 
-  /** Or else the proxy would talk to itself. */
+  /**
+   * Rejects the proxy's own address as the address of the drone, because the proxy would send to
+   * itself.
+   */
   private void checkForLoop(AddressPlan here) {
     InetSocketAddress to = drone.get();
     if (here.addresses(1, LocalNetworks.look()).contains(to)) {
@@ -163,7 +168,7 @@ final class ProxySubcommand implements Subcommand {
     }
   }
 
-  /** What becomes of all that comes, in a line. */
+  /** Returns a line that describes where the traffic is forwarded. */
   private static String passing(ProxyPlan plan, Path recordings) {
     return String.format(
         Locale.ROOT,
@@ -176,7 +181,7 @@ final class ProxySubcommand implements Subcommand {
         recordings);
   }
 
-  /** Until {@code quit} is typed; for ever if the input ends without it. */
+  /** Waits until {@code quit} is typed. If the input ends without it, waits forever. */
   private static void awaitQuit(ProgramInput input) throws InterruptedException {
     CountDownLatch quit = new CountDownLatch(1);
     BufferedReader typed =

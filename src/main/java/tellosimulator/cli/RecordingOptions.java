@@ -7,15 +7,22 @@ import java.util.Collection;
 import java.util.Optional;
 import tellosimulator.files.IoReason;
 
-/** The options that say where flights are recorded, and where their report goes. */
+/** The command-line options for the recordings of flights and their reports. */
 final class RecordingOptions {
 
   static final String RECORD = "--record";
 
   private static final String REPORT = "--report";
+  private static final String RESULT = "--result";
 
-  private final OptionValue<Optional<Path>> folder;
-  private final OptionValue<Optional<Path>> report;
+  /** The folder in which flights are recorded; empty if not given. */
+  final OptionValue<Optional<Path>> folder;
+
+  /** The file of the report; empty if not given. */
+  final OptionValue<Optional<Path>> report;
+
+  /** The file of the result; empty if not given. */
+  final OptionValue<Optional<Path>> result;
 
   RecordingOptions(OptionList optionList) {
     folder =
@@ -34,44 +41,47 @@ final class RecordingOptions {
                 "With --headless: at the end, make an HTML file of the flight; of a second one"
                     + " FILE-2, and so on. It opens in any browser, without a network.")
             .readIfGiven(OptionTypes::outputFile);
-  }
-
-  /** The folder in which flights are recorded; empty if nobody said one. */
-  Optional<Path> folder() {
-    return folder.value();
-  }
-
-  /** The file of the report; empty if nobody said one. */
-  Optional<Path> report() {
-    return report.value();
+    result =
+        optionList
+            .option(
+                RESULT,
+                "FILE",
+                "At the end, write a JSON file with the verdict, the goals, the points and why each"
+                    + " was won or lost.")
+            .readIfGiven(OptionTypes::outputFile);
   }
 
   /**
-   * Looks whether flights can be recorded there, and makes the folder; and whether the report can
-   * be written, which must not be over a file that the flight begins from.
+   * Checks that flights can be recorded, and creates the folder for recordings. Also checks that
+   * the report and the result can be written without overwriting an input file.
    *
    * @param inputs the scenario and its pictures
-   * @throws IllegalArgumentException with a sentence, if they cannot
+   * @throws IllegalArgumentException if a check fails; the message is one sentence
    */
   void check(boolean headless, Collection<Path> inputs) {
-    folder().ifPresent(RecordingOptions::check);
-    if (report().isPresent() && !headless) {
+    folder.value().ifPresent(RecordingOptions::check);
+    if (report.value().isPresent() && !headless) {
       throw new IllegalArgumentException(REPORT + " needs --headless");
     }
-    report().ifPresent(file -> checkFile(file, inputs));
+    report.value().ifPresent(file -> checkFile(REPORT, file, inputs));
+    result.value().ifPresent(file -> checkFile(RESULT, file, inputs));
+    if (report.value().isPresent() && report.value().equals(result.value())) {
+      throw new IllegalArgumentException(
+          REPORT + " and " + RESULT + " name the same file, " + report.value().get());
+    }
   }
 
-  private static void checkFile(Path file, Collection<Path> inputs) {
+  private static void checkFile(String option, Path file, Collection<Path> inputs) {
     if (inputs.stream().anyMatch(input -> isSame(input, file))) {
       throw new IllegalArgumentException(
-          REPORT + " " + file + ": the simulator reads this file, which would be lost");
+          option + " " + file + ": the simulator reads this file, which would be lost");
     }
     Path within = file.toAbsolutePath().getParent();
     if (Files.isDirectory(file) || within == null || !Files.isDirectory(within)) {
       throw new IllegalArgumentException(
           Files.isDirectory(file)
-              ? REPORT + " " + file + ": expected a file, found a folder"
-              : REPORT + " " + file + ": there is no folder " + within);
+              ? option + " " + file + ": expected a file, found a folder"
+              : option + " " + file + ": there is no folder " + within);
     }
   }
 
@@ -79,14 +89,14 @@ final class RecordingOptions {
     try {
       return Files.isSameFile(one, other);
     } catch (IOException e) {
-      return false; // one is not there
+      return false; // one of the files does not exist
     }
   }
 
   /**
-   * Looks whether flights can be recorded there, and makes the folder.
+   * Creates the folder for recordings, and checks that flights can be recorded in it.
    *
-   * @throws IllegalArgumentException with a sentence, if they cannot
+   * @throws IllegalArgumentException if they cannot be recorded; the message is one sentence
    */
   static void check(Path folder) {
     try {

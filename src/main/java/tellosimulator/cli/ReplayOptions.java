@@ -4,20 +4,27 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Set;
 
-/** The options that open the window on recordings. */
+/** The command-line options for showing recordings in the window. */
 final class ReplayOptions {
 
   private static final String REPLAY = "--replay";
 
   private static final String GHOST = "--ghost";
 
-  /** What may stand beside: all others are about a flight, and nothing is flown. */
+  /**
+   * The options that may be combined with a replay. All other options concern a new flight, and a
+   * replay only shows a recorded one.
+   */
   private static final Set<String> COMPANIONS =
       Set.of(REPLAY, GHOST, Options.CAMERA_FOV, Options.CAMERA_TILT, Options.LOG_LEVEL);
 
   private final OptionList optionList;
-  private final OptionValue<Optional<Path>> folder;
-  private final OptionValue<Optional<Path>> ghost;
+
+  /** The recording to show; empty if not given. */
+  final OptionValue<Optional<Path>> folder;
+
+  /** The second recording to show together with the first one; empty if not given. */
+  final OptionValue<Optional<Path>> ghost;
 
   ReplayOptions(OptionList optionList) {
     this.optionList = optionList;
@@ -38,24 +45,14 @@ final class ReplayOptions {
             .readIfGiven(OptionTypes::recording);
   }
 
-  /** The recording to be looked at; empty if nobody said one. */
-  Optional<Path> folder() {
-    return folder.value();
-  }
-
-  /** The recording that it is compared with; empty if nobody said one. */
-  Optional<Path> ghost() {
-    return ghost.value();
-  }
-
   /**
-   * Looks whether the options fit together.
+   * Checks that the options are consistent.
    *
-   * @throws IllegalArgumentException with a sentence, if they do not
+   * @throws IllegalArgumentException if they are inconsistent; the message is one sentence
    */
   void check() {
-    if (folder().isEmpty()) {
-      if (ghost().isPresent()) {
+    if (folder.value().isEmpty()) {
+      if (ghost.value().isPresent()) {
         throw new IllegalArgumentException(GHOST + " needs " + REPLAY);
       }
       return;

@@ -12,7 +12,7 @@ import tellosimulator.report.FlightReport;
 import tellosimulator.report.FlightReports;
 import tellosimulator.report.ReportTexts;
 
-/** Makes an HTML file of a recording. For one thread. */
+/** Writes an HTML report of a recording. Not thread-safe. */
 final class ReportSubcommand implements Subcommand {
 
   private final OptionList optionList =

@@ -3,17 +3,21 @@ package tellosimulator.cli;
 import java.util.List;
 import java.util.stream.Stream;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenario.Quantity;
+import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
 import tellosimulator.world.Walls;
 
-/** The options that say what the room is like, and where in it the drones start. */
+/** The command-line options for the room and the starting point of the drones. */
 final class RoomOptions {
 
-  private final OptionValue<Room> room;
-  private final OptionValue<Walls> walls;
-  private final OptionValue<List<Poster>> posters;
-  private final OptionValue<OptionTypes.Point> start;
+  final OptionValue<Room> room;
+  final OptionValue<Walls> walls;
+  final OptionValue<List<Poster>> posters;
+
+  /** The point around which the drones start, room frame [m]. */
+  final OptionValue<Vec3> start;
 
   RoomOptions(OptionList optionList) {
     room =
@@ -21,7 +25,9 @@ final class RoomOptions {
             .option(
                 "--room",
                 "WxDxH",
-                "Width, depth and height of the room in cm, each 100 to 20000. Default: 500x500x300.")
+                "Width, depth and height of the room in cm, each "
+                    + OptionTypes.bounds(Quantity.ROOM_EDGE)
+                    + ".")
             .read(OptionTypes::roomSize, "500x500x300");
     walls =
         optionList
@@ -29,8 +35,8 @@ final class RoomOptions {
                 "--walls",
                 "auto|textured|plain",
                 "textured: walls and floor with patterns that cameras can see. plain: even colours."
-                    + " auto: textured in the drones' film, calm in the window. Default: auto.")
-            .read(OptionTypes::wallsName, "auto");
+                    + " auto: parquet and plaster, with windows and a door.")
+            .readOneOf(Walls.values(), Walls::option, Decor.DEFAULT.walls());
     posters =
         optionList
             .option(
@@ -47,37 +53,12 @@ final class RoomOptions {
                 "--start",
                 "X,Y",
                 "Where the drone starts, in cm from the room's centre: X along its depth, Y to the left."
-                    + " Several drones stand in a row around it. Default: 0,0.")
+                    + " Several drones stand in a row around it.")
             .read(OptionTypes::floorPoint, "0,0");
   }
 
-  /** Whether anything is said about the room. */
+  /** Whether any option for the room is given. */
   boolean given() {
     return Stream.of(room, walls, posters, start).anyMatch(OptionValue::given);
-  }
-
-  OptionValue<Room> size() {
-    return room;
-  }
-
-  Room room() {
-    return room.value();
-  }
-
-  OptionValue<Walls> walls() {
-    return walls;
-  }
-
-  List<Poster> posters() {
-    return posters.value();
-  }
-
-  OptionValue<OptionTypes.Point> startPoint() {
-    return start;
-  }
-
-  /** Around where the drones start, room frame [m]. */
-  Vec3 start() {
-    return start.value().inMeters();
   }
 }

@@ -12,26 +12,26 @@ import picocli.CommandLine.IVersionProvider;
 import tellosimulator.concurrent.FatalExit;
 import tellosimulator.concurrent.TerminationSignals;
 import tellosimulator.files.IoReason;
-import tellosimulator.operator.ProgramRun;
-import tellosimulator.operator.ProgramRun.ExitCodes;
-import tellosimulator.operator.ProgramRun.Plan;
-import tellosimulator.operator.UnavailableException;
+import tellosimulator.launcher.ProgramRun;
+import tellosimulator.launcher.ProgramRun.ExitCodes;
+import tellosimulator.launcher.ProgramRun.Plan;
+import tellosimulator.launcher.UnavailableException;
 import tellosimulator.scenario.Scenario;
 
 /**
- * Runs an unchanged operator program in a network in which drones are where real ones are. For one
- * thread.
+ * Runs an unmodified operator program in a network where the simulated drones have the addresses of
+ * real ones. Not thread-safe.
  */
 final class RunSubcommand implements Subcommand {
 
   private static final String SEPARATOR = "--";
   private static final String PROGRAM_OUTPUT = "--program-output";
 
-  /** What this subcommand decides by itself. */
+  /** Options that cannot be combined with this subcommand. */
   private static final List<String> DECIDED =
       List.of("--bind", "--command-port", "--lan", "--port-per-drone", "--replay", "--scenarios");
 
-  /** Exit codes of a simulator that ended as it is meant to. */
+  /** Exit codes of a simulator that ended normally. */
   private static final List<Integer> VERDICTS = List.of(ExitCode.DONE, ExitCode.GOALS_MISSED);
 
   private final OptionList optionList =
@@ -113,10 +113,18 @@ final class RunSubcommand implements Subcommand {
       }
     }
     return new Plan(
-        simulator, program, drones, !options.headless(), output.value().map(Path::toAbsolutePath));
+        simulator,
+        program,
+        drones,
+        !options.headless(),
+        output.value().map(Path::toAbsolutePath),
+        Optional.empty());
   }
 
-  /** What the simulator gets to see. */
+  /**
+   * Returns the words without the option for the output file; all of them are passed to the
+   * simulator.
+   */
   private static List<String> withoutOutput(List<String> words) {
     List<String> left = new ArrayList<>(words);
     left.removeIf(word -> word.startsWith(PROGRAM_OUTPUT + "="));
@@ -127,8 +135,8 @@ final class RunSubcommand implements Subcommand {
     return left;
   }
 
-  /** The words that start this program once more. */
-  private static List<String> ownCommand() {
+  /** Returns the command that starts another process of this program. */
+  static List<String> ownCommand() {
     Optional<String> image = Optional.ofNullable(System.getProperty("jpackage.app-path"));
     if (image.isPresent()) {
       return List.of(image.get());
@@ -141,7 +149,7 @@ final class RunSubcommand implements Subcommand {
     return List.of(java, "-cp", String.join(File.pathSeparator, paths), "tellosimulator.Main");
   }
 
-  @SuppressWarnings("try") // the signals come by themselves
+  @SuppressWarnings("try") // the signal handler only needs to be kept open
   private static int run(Plan plan, ProgramOutput to) throws InterruptedException {
     AtomicInteger signal = new AtomicInteger();
     try (ProgramRun run = new ProgramRun(plan, to.out());

@@ -9,28 +9,39 @@ import picocli.CommandLine.TypeConversionException;
 import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.scenario.OpenedScenario;
-import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenery.texture.ImageFile;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Poster;
 
-/** The options that say which scenario is flown. */
+/** The command-line options for the scenario. */
 public final class ScenarioOptions {
 
   static final String EXIT_WHEN_DONE = "--exit-when-done";
   static final String TIMEOUT = "--timeout";
 
-  /** Given by {@code run}, whose program may go on for a while after the verdict. */
+  /**
+   * The option that {@code run} passes to the simulator, so that the operator program may continue
+   * for a while after the verdict.
+   */
   static final String AWAIT_PROGRAM = "--await-program";
+
+  /** The option that {@code grade} passes to the simulator. */
+  private static final String AWAIT_REPLIES = "--await-replies";
 
   private static final String SCENARIO = "--scenario";
 
   private final OptionValue<Optional<OpenedScenario>> scenario;
-  private final OptionValue<Boolean> list;
+  final OptionValue<Boolean> list;
   private final OptionValue<Boolean> exitWhenDone;
-  private final OptionValue<Optional<Double>> timeout;
-  private final OptionValue<Boolean> awaitProgram;
+
+  /** Simulated time after which the goals count as missed [s]. */
+  final OptionValue<Optional<Double>> timeout;
+
+  final OptionValue<Boolean> awaitProgram;
+
+  /** Whether the run ends once the program turns out not to wait for replies. */
+  final OptionValue<Boolean> awaitReplies;
 
   ScenarioOptions(OptionList optionList) {
     scenario =
@@ -59,48 +70,56 @@ public final class ScenarioOptions {
                 "As --exit-when-done, and the goals are missed after so many simulated seconds, for"
                     + " programs that never take off. With --time-factor max these pass at once when"
                     + " a program that has sent a command sends no other for 3 s of real time"
-                    + " before it takes off, or none at all for 30 s.")
+                    + " (with run, 30 s) before it takes off, or none at all for 30 s.")
             .readIfGiven(OptionTypes::seconds);
     awaitProgram = optionList.hiddenFlag(AWAIT_PROGRAM);
+    awaitReplies = optionList.hiddenFlag(AWAIT_REPLIES);
   }
 
-  /** Words of a command line; one that is a scenario file alone, as of a double click, opens it. */
+  /**
+   * Returns the arguments. A single argument that names a scenario file, as after a double click on
+   * the file, is turned into an option.
+   */
   public static String[] withFileNamed(String... words) {
     return words.length == 1 && isFile(words[0]) ? new String[] {SCENARIO, words[0]} : words;
   }
 
-  /** Whether a word looks like the name of a scenario file. */
+  /** Returns whether a word looks like the name of a scenario file. */
   static boolean isFile(String word) {
     return word.matches("[^-].*\\.ya?ml");
   }
 
-  Optional<Scenario> scenario() {
-    return opened().map(OpenedScenario::scenario);
+  /**
+   * Returns the chosen scenario.
+   *
+   * @param seed the option that overrides the seed from which a course is drawn
+   * @throws IllegalArgumentException if no course of the seed fits
+   */
+  Optional<OpenedScenario> opened(OptionValue<Long> seed) {
+    try {
+      return scenario.value().isPresent() && seed.given()
+          ? Optional.of(scenario.value().get().drawnFrom(seed.value()))
+          : scenario.value();
+    } catch (ScenarioException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
   }
 
-  Optional<OpenedScenario> opened() {
-    return scenario.value();
-  }
-
-  boolean list() {
-    return list.value();
-  }
-
-  /** The option that lets a run end by itself, as it was given; empty if none was. */
+  /**
+   * Returns the name of an option that is given and makes a run end by itself; empty if there is
+   * none.
+   */
   Optional<String> endsByItself() {
-    return exitWhenDone.value() ? Optional.of(EXIT_WHEN_DONE) : timeout().map(seconds -> TIMEOUT);
+    return exitWhenDone.value()
+        ? Optional.of(EXIT_WHEN_DONE)
+        : timeout.value().map(seconds -> TIMEOUT);
   }
 
-  boolean awaitsProgram() {
-    return awaitProgram.value();
-  }
-
-  /** After how much simulated time the goals are missed [s]. */
-  Optional<Double> timeout() {
-    return timeout.value();
-  }
-
-  /** Says in a language which scenarios there are. */
+  /**
+   * Prints the available scenarios.
+   *
+   * @param language the language of their descriptions
+   */
   public static void list(PrintStream out, Locale language) {
     int longest = Gallery.NAMES.stream().mapToInt(String::length).max().orElse(0);
     for (String name : Gallery.NAMES) {
@@ -111,15 +130,15 @@ public final class ScenarioOptions {
   }
 
   /**
-   * Looks whether all pictures of a room can be read.
+   * Checks that all pictures of a room can be read.
    *
-   * @throws IllegalArgumentException with a sentence, if one cannot
+   * @throws IllegalArgumentException if a picture cannot be read; the message is one sentence
    */
   static void checkPictures(Arena arena) {
     pictures(arena).forEach(ScenarioOptions::checkPicture);
   }
 
-  /** The image files of a room. */
+  /** Returns the image files that a room refers to. */
   static Stream<String> pictures(Arena arena) {
     Stream<String> onWalls = arena.decor().posters().stream().map(Poster::picture);
     Stream<String> onObstacles =

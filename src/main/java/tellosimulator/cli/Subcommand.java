@@ -3,16 +3,16 @@ package tellosimulator.cli;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
 
-/** What the program does instead of simulating: options, and what follows. For one thread. */
+/** A function of the program other than simulating, with its own options. Not thread-safe. */
 public interface Subcommand {
 
-  /** Reads what comes after the subcommand into its options, and explains them. */
+  /** Returns a parser for the options of this subcommand. The parser also prints their help. */
   CommandLine commandLine(IVersionProvider version);
 
   /**
-   * What is to be done, once its options are read.
+   * Returns the action to run after the options have been parsed.
    *
-   * @throws IllegalArgumentException with a sentence, if the options do not fit together
+   * @throws IllegalArgumentException if the options are inconsistent; the message is one sentence
    */
   Invocation.Action action(ProgramOutput output);
 }

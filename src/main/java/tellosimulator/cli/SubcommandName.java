@@ -6,7 +6,10 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 
-/** The words that choose a {@link Subcommand}, if they come first on the command line. */
+/**
+ * The names of the subcommands. A name selects its {@link Subcommand} if it is the first word of
+ * the command line.
+ */
 public enum SubcommandName {
   REPORT("makes an HTML file of a recording", ReportSubcommand::new),
   DIFF("compares two recordings, command by command", DiffSubcommand::new),
@@ -14,7 +17,9 @@ public enum SubcommandName {
   PROXY("stands between programs and a real drone, and records", ProxySubcommand::new),
   REPLAY("flies a recording again, and compares", ReplaySubcommand::new),
   CHECK("says what is wrong with scenario files", CheckSubcommand::new),
-  RUN("flies an unchanged program where the drone is 192.168.10.1", RunSubcommand::new);
+  GENERATE("writes a scenario that is drawn from a seed", GenerateSubcommand::new),
+  RUN("flies an unchanged program where the drone is 192.168.10.1", RunSubcommand::new),
+  GRADE("flies and grades the programs of a class", GradeSubcommand::new);
 
   private final String does;
   private final Supplier<Subcommand> subcommand;
@@ -24,27 +29,27 @@ public enum SubcommandName {
     this.subcommand = subcommand;
   }
 
-  /** As it is typed. */
+  /** The word as it is typed. */
   public String word() {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** What it does, in a few words that go on from its name. */
+  /** A few words that describe the subcommand's function, phrased to follow its name. */
   String does() {
     return does;
   }
 
-  /** A new one, whose options are still to be read. */
+  /** Creates the subcommand; its options are not parsed yet. */
   public Subcommand subcommand() {
     return subcommand.get();
   }
 
-  /** As all of them are typed. */
+  /** The words of all subcommands. */
   public static List<String> words() {
     return Stream.of(values()).map(SubcommandName::word).toList();
   }
 
-  /** The one that a command line begins with. */
+  /** Returns the subcommand that the first word of a command line names; empty if it names none. */
   public static Optional<SubcommandName> of(String... args) {
     return Stream.of(values())
         .filter(each -> args.length > 0 && each.word().equals(args[0]))

@@ -3,15 +3,17 @@ package tellosimulator.command;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import tellosimulator.board.MatrixEffect;
-import tellosimulator.board.MatrixPicture;
+import tellosimulator.controller.Direction;
+import tellosimulator.controller.PadChoice;
+import tellosimulator.extension.MatrixEffect;
+import tellosimulator.extension.MatrixPicture;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 
-/** The words after a verb, read as what the command's parameters say. */
+/** The words after a command's verb, and their conversion to the values of a {@link Command}. */
 record Arguments(List<String> words) {
 
-  /** Directions of a flip: the guide's letters, and the words in full. */
+  /** The flip directions, keyed by the letters in the SDK guide and by full words. */
   private static final Map<String, Direction> DIRECTIONS =
       new TreeMap<>(
           Map.of(
@@ -40,12 +42,15 @@ record Arguments(List<String> words) {
     return Frames.meters(number(index));
   }
 
-  /** Radians counter-clockwise of degrees clockwise. */
+  /**
+   * Converts the word at {@code index}, a heading in degrees clockwise, to radians
+   * counter-clockwise.
+   */
   double heading(int index) {
     return Frames.headingOfYaw(number(index));
   }
 
-  /** Three words in centimetres from {@code index} on [m]. */
+  /** Converts three words, starting at {@code index}, from centimetres to a point [m]. */
   Vec3 point(int index) {
     return new Vec3(meters(index), meters(index + 1), meters(index + 2));
   }
@@ -54,29 +59,35 @@ record Arguments(List<String> words) {
     return new PadChoice(Integer.parseInt(word(index).substring(1)));
   }
 
-  /** Three words for red, green and blue from {@code index} on, as one writes #rrggbb. */
+  /**
+   * Converts three words, starting at {@code index}, to a colour 0xrrggbb. Each word is a number
+   * from 0 to 255.
+   */
   int rgb(int index) {
     return integer(index) << 16 | integer(index + 1) << 8 | integer(index + 2);
   }
 
-  /** The colour of dots. */
+  /** Returns the LED matrix colour that a word selects. */
   MatrixPicture.Color dotColor(int index) {
     return MatrixPicture.Color.of(word(index).charAt(0));
   }
 
-  /** Where a text moves. */
+  /** Returns the scrolling direction that a word selects. */
   MatrixEffect.Move move(int index) {
     return MatrixEffect.Move.of(word(index).charAt(0));
   }
 
-  /** A heart, or the first character of a word. Documented: SDK 3.0 User Guide. */
+  /**
+   * Returns the picture that a word selects: a heart for {@code heart}, otherwise the word's first
+   * character. Documented: SDK 3.0 User Guide.
+   */
   MatrixPicture character(int index, MatrixPicture.Color color) {
     return word(index).equals("heart")
         ? MatrixPicture.heart(color)
         : MatrixPicture.ofCharacter(word(index).charAt(0), color);
   }
 
-  /** All words for the direction of a flip. */
+  /** Returns all words that name a flip direction. */
   static String[] flips() {
     return DIRECTIONS.keySet().toArray(String[]::new);
   }
@@ -85,7 +96,7 @@ record Arguments(List<String> words) {
     return DIRECTIONS.get(word(index));
   }
 
-  /** Pictures a second. Documented: SDK 3.0 User Guide. */
+  /** Returns the frame rate that a word selects [frames/s]. Documented: SDK 3.0 User Guide. */
   int framesPerSecond(int index) {
     return switch (word(index)) {
       case "high" -> 30;
@@ -94,7 +105,7 @@ record Arguments(List<String> words) {
     };
   }
 
-  /** Lines of a picture. Documented: SDK 3.0 User Guide. */
+  /** Returns the frame height that a word selects [lines]. Documented: SDK 3.0 User Guide. */
   int lines(int index) {
     return word(index).equals("high") ? 720 : 480;
   }

@@ -2,15 +2,24 @@ package tellosimulator.command;
 
 import tellosimulator.profile.Behavior;
 
-/** What becomes of a command that arrives while another one runs. Report: there is no queue. */
+/**
+ * The treatment of a command that arrives while another one is running. Report: the drone does not
+ * queue commands.
+ */
 public enum BusyRule {
-  /** Refused. */
+  /** The drone refuses the command. */
   REFUSED("refused"),
-  /** Carried out at any time: {@code rc}, {@code stop} and {@code emergency}. */
+  /** The drone always carries out the command: {@code rc}, {@code stop} and {@code emergency}. */
   ALLOWED("carried out"),
-  /** Reads and {@code command}. */
+  /**
+   * The drone answers the command if {@link Behavior#readsWhileBusy} is true, and refuses it
+   * otherwise: read commands, {@code EXT} commands and {@code command}.
+   */
   READ("refused; behaviour `measured`: answered"),
-  /** {@code land}. */
+  /**
+   * The drone carries out {@code land} if {@link Behavior#landsWhileBusy} is true, and refuses it
+   * otherwise.
+   */
   LAND("refused; behaviour `measured`: carried out, the other answers `error Auto land`");
 
   private final String words;
@@ -28,7 +37,7 @@ public enum BusyRule {
     };
   }
 
-  /** For the protocol page. */
+  /** Returns the description of the rule on the protocol page. */
   public String words() {
     return words;
   }

@@ -1,273 +1,149 @@
 package tellosimulator.command;
 
-import tellosimulator.board.LightOrder;
+import tellosimulator.controller.Direction;
+import tellosimulator.controller.PadChoice;
+import tellosimulator.controller.Sticks;
+import tellosimulator.controller.VideoOption;
+import tellosimulator.extension.LightOrder;
 import tellosimulator.math.Arc;
 import tellosimulator.math.Vec3;
 
 /**
- * A command that was understood and whose parameters are in range. Units are SI, axes those of the
- * level body frame (x along the nose, y to the left, z up), unless a component says otherwise.
+ * A parsed command with valid parameters. Unless a component documents otherwise, units are SI, and
+ * axes are those of the level body frame: x along the nose, y to the left, z up.
  */
 public sealed interface Command {
 
-  /** Calls the one method of {@code target} that carries this command out. */
-  void on(CommandTarget target, Responder responder);
-
   /** {@code command}. */
-  record EnterSdkMode() implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.enterSdkMode(this, responder);
-    }
-  }
+  record EnterSdkMode() implements Command {}
 
   /** {@code takeoff} and {@code throwfly}. */
-  record Takeoff() implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.takeoff(this, responder);
-    }
-  }
+  record Takeoff() implements Command {}
 
   /** {@code land}. */
-  record Land() implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.land(this, responder);
-    }
-  }
+  record Land() implements Command {}
 
   /** {@code stop}. */
-  record Stop() implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.stop(this, responder);
-    }
-  }
+  record Stop() implements Command {}
 
   /** {@code emergency}. */
-  record Emergency() implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.emergency(this, responder);
-    }
-  }
+  record Emergency() implements Command {}
 
   /**
-   * {@code up down left right forward back}.
+   * {@code up}, {@code down}, {@code left}, {@code right}, {@code forward} and {@code back}.
    *
-   * @param distance metres
+   * @param distance the distance [m]
    */
-  record Move(Direction direction, double distance) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.move(this, responder);
-    }
-  }
+  record Move(Direction direction, double distance) implements Command {}
 
   /**
    * {@code cw} and {@code ccw}.
    *
-   * @param angle radians, counter-clockwise seen from above, as many turns as one likes
+   * @param angle the angle [rad], counter-clockwise seen from above; can exceed a full turn
    */
-  record Turn(double angle) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.turn(this, responder);
-    }
-  }
+  record Turn(double angle) implements Command {}
 
   /**
    * {@code flip}.
    *
-   * @param direction not up or down
+   * @param direction any direction except up and down
    */
-  record Flip(Direction direction) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.flip(this, responder);
-    }
-  }
+  record Flip(Direction direction) implements Command {}
 
   /**
    * {@code go}.
    *
-   * @param way from here to the goal [m]
-   * @param speed metres per second
+   * @param way the displacement to the goal [m]
+   * @param speed the speed [m/s]
    */
-  record Go(Vec3 way, double speed) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.go(this, responder);
-    }
-  }
+  record Go(Vec3 way, double speed) implements Command {}
 
   /**
    * {@code curve}.
    *
-   * @param arc from here, metres
-   * @param speed metres per second
+   * @param arc the arc relative to the current position [m]
+   * @param speed the speed [m/s]
    */
-  record Curve(Arc arc, double speed) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.curve(this, responder);
-    }
-  }
+  record Curve(Arc arc, double speed) implements Command {}
 
   /**
    * {@code go} with a mission pad.
    *
-   * @param goal in the pad's frame [m]
-   * @param speed metres per second
+   * @param goal the goal in the pad's frame [m]
+   * @param speed the speed [m/s]
    */
-  record GoToPad(Vec3 goal, double speed, PadChoice pad) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.goToPad(this, responder);
-    }
-  }
+  record GoToPad(Vec3 goal, double speed, PadChoice pad) implements Command {}
 
   /**
    * {@code curve} with a mission pad.
    *
-   * @param via in the pad's frame [m]
-   * @param end in the pad's frame [m]
-   * @param speed metres per second
+   * @param via the first point of the arc in the pad's frame [m]
+   * @param end the second point of the arc in the pad's frame [m]
+   * @param speed the speed [m/s]
    */
-  record CurveOverPad(Vec3 via, Vec3 end, double speed, PadChoice pad) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.curveOverPad(this, responder);
-    }
-  }
+  record CurveOverPad(Vec3 via, Vec3 end, double speed, PadChoice pad) implements Command {}
 
   /**
    * {@code jump}.
    *
-   * @param leg where to go over the first pad, then how fast
-   * @param heading at the end, in the second pad's frame [rad], counter-clockwise
+   * @param leg the first pad, the goal over it, and the speed
+   * @param heading the heading at the end, in the second pad's frame [rad], counter-clockwise
    */
-  record Jump(GoToPad leg, double heading, PadChoice second) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.jump(this, responder);
-    }
-  }
+  record Jump(GoToPad leg, double heading, PadChoice second) implements Command {}
 
   /**
    * {@code speed}.
    *
-   * @param speed metres per second
+   * @param speed the speed [m/s]
    */
-  record SetSpeed(double speed) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.setSpeed(this, responder);
-    }
-  }
+  record SetSpeed(double speed) implements Command {}
 
   /** {@code rc}. */
-  record Rc(Sticks sticks) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.rc(this, responder);
-    }
-  }
+  record Rc(Sticks sticks) implements Command {}
 
   /**
-   * {@code wifi ap multiwifi wifisetchannel}: a simulator has no Wi-Fi.
+   * {@code wifi}, {@code ap} and {@code wifisetchannel}. The simulated drone joins no network, but
+   * it may reboot as a real one does.
    *
-   * @param done the real drone's reply
+   * @param done the reply if the drone reboots
    */
-  record SetNetwork(Reply done) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.setNetwork(this, responder);
-    }
-  }
+  record SetNetwork(Reply done) implements Command {}
 
   /** {@code mon} and {@code moff}. */
-  record DetectPads(boolean on) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.detectPads(this, responder);
-    }
-  }
+  record DetectPads(boolean on) implements Command {}
 
   /**
-   * Chooses where to look for pads.
+   * Selects the cameras that detect pads (the command "mdirection").
    *
-   * @param direction 0 down, 1 forward, 2 both
+   * @param direction 0 downward, 1 forward, 2 both
    */
-  record SetPadDirection(int direction) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.setPadDirection(this, responder);
-    }
-  }
+  record SetPadDirection(int direction) implements Command {}
 
   /** {@code streamon} and {@code streamoff}. */
-  record Stream(boolean on) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.stream(this, responder);
-    }
-  }
+  record Stream(boolean on) implements Command {}
 
-  /** {@code setfps setbitrate setresolution downvision}. */
-  record SetVideo(VideoOption option, int value) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.setVideo(this, responder);
-    }
-  }
+  /**
+   * {@code setfps}, {@code setbitrate}, {@code setresolution} and {@code downvision}.
+   *
+   * @param value the value, in the unit of the option
+   */
+  record SetVideo(VideoOption option, int value) implements Command {}
 
   /** {@code port}. */
-  record SetPorts(int statePort, int videoPort) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.setPorts(this, responder);
-    }
-  }
+  record SetPorts(int statePort, int videoPort) implements Command {}
 
   /** {@code motoron} and {@code motoroff}. */
-  record SpinMotors(boolean on) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.spinMotors(this, responder);
-    }
-  }
+  record SpinMotors(boolean on) implements Command {}
 
   /** {@code reboot}. */
-  record Reboot() implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.reboot(this, responder);
-    }
-  }
+  record Reboot() implements Command {}
 
   /** {@code EXT led} and {@code EXT mled}. */
-  record Light(LightOrder order, Reply reply) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.light(this, responder);
-    }
-  }
+  record Light(LightOrder order, Reply reply) implements Command {}
 
-  /** A command that only has to be acknowledged, such as {@code keepalive}. */
-  record Acknowledge(Reply reply) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.acknowledge(this, responder);
-    }
-  }
+  /** A command that the drone only acknowledges, such as {@code keepalive}. */
+  record Acknowledge(Reply reply) implements Command {}
 
-  /** Every command that ends with a question mark. */
-  record Read(Reading reading) implements Command {
-    @Override
-    public void on(CommandTarget target, Responder responder) {
-      target.read(this, responder);
-    }
-  }
+  /** Any command that ends with a question mark. */
+  record Read(Reading reading) implements Command {}
 }

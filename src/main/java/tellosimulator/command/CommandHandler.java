@@ -8,43 +8,45 @@ import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
- * Turns texts into commands, in the order in which the drone checks them: form, busy, range,
- * motors; what is left is up to the {@link CommandTarget}. For the simulation thread. Whatever the
- * text is, it never throws.
+ * Parses texts into commands, and checks them in the same order as the drone does: the syntax,
+ * whether another command is running, the ranges of the parameters, and whether the drone is
+ * flying. The {@link CommandTarget} makes all further checks. No text causes an exception. Confined
+ * to the simulation thread.
  */
-public final class CommandHandler {
-
-  /** First byte of the app's binary protocol, which is off in SDK mode. Measured: TelloPy 50. */
-  private static final char APP_PROTOCOL = '\u00cc';
-
-  /** How the app asks for a connection. Measured: TelloPy 50. */
-  private static final String APP_REQUEST = "conn_req";
+final class CommandHandler {
 
   private final Profile profile;
   private final Behavior behavior;
   private final CommandParser parser;
   private final Retransmission retransmission = new Retransmission();
   private final CommandTarget target;
+  private final Ends ends;
   private final OperatorSession session;
-  private final ReplyPort replies;
   private final CommandObserver observer;
 
-  private CommandHandler(Builder parts) {
-    this.profile = parts.profile;
-    this.behavior = parts.behavior;
+  /** The number of texts handled as commands so far, not counting retransmitted copies. */
+  private int taken;
+
+  /**
+   * The session, port and observer of a handler.
+   *
+   * @param port sends the replies
+   * @param observer notified of texts and replies
+   */
+  record Ends(OperatorSession session, DronePort port, CommandObserver observer) {}
+
+  CommandHandler(Profile profile, Behavior behavior, CommandTarget target, Ends ends) {
+    this.profile = profile;
+    this.behavior = behavior;
     this.parser = new CommandParser(profile);
-    this.target = parts.target;
-    this.session = parts.session;
-    this.replies = parts.replies;
-    this.observer = parts.observer;
+    this.target = target;
+    this.ends = ends;
+    this.session = ends.session();
+    this.observer = ends.observer();
   }
 
-  public static Builder of(Profile profile, Behavior behavior) {
-    return new Builder(profile, behavior);
-  }
-
-  /** Takes one datagram. */
-  public void handle(Peer peer, String datagram, SimTime now) {
+  /** Carries out the command in a datagram. Reports a datagram without effect to the observer. */
+  void handle(Peer peer, String datagram, SimTime now) {
     boolean tooLong = datagram.length() > WireText.LONGEST;
     String header = profile.hasPads() && !tooLong ? Retransmission.header(datagram) : "";
     String text = tooLong ? datagram : WireText.trimmed(datagram.substring(header.length()));
@@ -64,38 +66,31 @@ public final class CommandHandler {
     if (original.isPresent()) {
       original.get().alsoAnswer(header);
     } else {
-      Responder responder = new Responder(peer, text, header, replies, observer);
+      taken++;
+      Request request = new Request(taken, peer, text);
+      Responder responder = new Responder(request, header, ends.port(), observer);
       if (!header.isEmpty()) {
         retransmission.remember(header, text, responder);
       }
-      carryOut(text, responder, admitted);
+      carryOut(request, responder, admitted);
     }
   }
 
-  /** Whether every host may send it: it asks something, and changes nothing. */
+  /**
+   * Whether any host may send this text: SDK mode is on, and the text is a read command or {@code
+   * command}.
+   */
   private boolean openToOthers(String text) {
     return session.link().sdkMode()
         && parser.parse(text).filter(parsed -> parsed.syntax().readOnly()).isPresent();
   }
 
-  /** Lets each command be carried out anew, though a copy of an earlier one. */
-  public void forgetCopies() {
-    retransmission.forgetAll();
-  }
-
-  /** Forgets SDK mode, as without power. */
-  public void powerOff() {
-    session.close();
+  /** Forgets all earlier commands, so that a later copy of one counts as a new command. */
+  void forgetCopies() {
     retransmission.forgetAll();
   }
 
   private boolean ignored(Peer peer, String text) {
-    boolean app =
-        text.startsWith(APP_REQUEST) || (!text.isEmpty() && text.charAt(0) == APP_PROTOCOL);
-    if (app) {
-      observer.ignored(peer, text, Phrase.of("it belongs to the app's binary protocol"));
-      return true;
-    }
     if (Reply.isEcho(text)) {
       observer.ignored(
           peer, text, Phrase.of("it is a drone's own reply, and an answer would go on for ever"));
@@ -108,8 +103,9 @@ public final class CommandHandler {
     return false;
   }
 
-  private void carryOut(String text, Responder responder, boolean admitted) {
-    observer.received(responder.peer(), text);
+  private void carryOut(Request request, Responder responder, boolean admitted) {
+    observer.received(request);
+    String text = request.text();
     Optional<Parsed> parsed = parser.parse(text);
     if (parsed.isEmpty()) {
       responder.refuse(Reply.unknown(echo(text)), parser.explain(text));
@@ -123,7 +119,7 @@ public final class CommandHandler {
       responder.refuse(refusal.get().reply(), refusal.get().reason());
       return;
     }
-    parsed.get().command().on(target, responder);
+    target.carryOut(parsed.get().command(), responder);
   }
 
   private Optional<Refusal> refusal(Parsed parsed) {
@@ -149,44 +145,5 @@ public final class CommandHandler {
     String cut = text.length() > WireText.LONGEST ? text.substring(0, WireText.LONGEST) : text;
     int blank = cut.indexOf(' ');
     return profile.echoesFirstWord(behavior) && blank >= 0 ? cut.substring(0, blank) : cut;
-  }
-
-  /** Gathers the handler's neighbours. */
-  public static final class Builder {
-    private final Profile profile;
-    private final Behavior behavior;
-    private CommandTarget target;
-    private OperatorSession session;
-    private ReplyPort replies;
-    private CommandObserver observer;
-
-    private Builder(Profile profile, Behavior behavior) {
-      this.profile = profile;
-      this.behavior = behavior;
-    }
-
-    public Builder target(CommandTarget value) {
-      target = value;
-      return this;
-    }
-
-    public Builder session(OperatorSession value) {
-      session = value;
-      return this;
-    }
-
-    public Builder replies(ReplyPort value) {
-      replies = value;
-      return this;
-    }
-
-    public Builder observer(CommandObserver value) {
-      observer = value;
-      return this;
-    }
-
-    public CommandHandler build() {
-      return new CommandHandler(this);
-    }
   }
 }

@@ -1,37 +1,44 @@
 package tellosimulator.command;
 
+import tellosimulator.controller.FlightObserver;
 import tellosimulator.words.Phrase;
 
-/** Is told what happens between operators and drone. Called on the simulation thread. */
-public interface CommandObserver {
+/**
+ * A listener that is notified of a drone's flight events, and of its traffic with operators. Called
+ * on the simulation thread.
+ */
+public interface CommandObserver extends FlightObserver {
 
-  /** A text arrived that is taken for a command; its answer follows separately. */
-  void received(Peer peer, String text);
+  /** Called when a host becomes the operator, before that host receives its reply. */
+  void operatorChanged(OperatorSession.Takeover takeover, OperatorEndpoint link);
 
-  /** Something arrived that the drone does not react to. */
+  /** Called when a text arrives that is handled as a command. The reply is reported separately. */
+  void received(Request request);
+
+  /** Called when a text arrives to which the drone does not react. */
   void ignored(Peer peer, String text, Phrase reason);
 
   /**
-   * Something arrived from a host that does not operate the drone, and has no effect.
+   * Called when a text arrives from a host that does not operate the drone. The text has no effect.
    *
-   * @param reason why, in plain words that follow "turned away: "
+   * @param reason the reason, worded to follow "turned away: "
    */
   void turnedAway(Peer peer, String text, Phrase reason);
 
-  /** A reply to {@code text} was given. */
-  void replied(Peer peer, String text, Reply reply);
+  /** Called for each reply that reports neither a refusal nor a failure. {@code stop} has two. */
+  void replied(Request request, Reply reply);
 
   /**
-   * {@code text} was begun, but came to another end.
+   * Called when the drone could not complete a command that it had begun.
    *
-   * @param reason why, in plain words that follow "failed: "
+   * @param reason the reason, worded to follow "failed: "
    */
-  void failed(Peer peer, String text, Reply reply, Phrase reason);
+  void failed(Request request, Reply reply, Phrase reason);
 
   /**
-   * {@code text} was refused.
+   * Called when the drone refused a command.
    *
-   * @param reason why, in plain words that follow "refused: "
+   * @param reason the reason, worded to follow "refused: "
    */
-  void refused(Peer peer, String text, Reply reply, Phrase reason);
+  void refused(Request request, Reply reply, Phrase reason);
 }

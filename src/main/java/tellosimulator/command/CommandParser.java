@@ -13,10 +13,10 @@ import tellosimulator.profile.Profile;
 import tellosimulator.words.Phrase;
 import tellosimulator.words.Spelling;
 
-/** Finds the row of the table that a text is written after. Immutable; for any thread. */
+/** Finds the row of the command table that matches a text. Immutable. */
 final class CommandParser {
 
-  /** A verb and a number without a blank between them. */
+  /** A verb directly followed by a number. */
   private static final Pattern VERB_AND_NUMBER = Pattern.compile("([A-Za-z]+)(-?[0-9].*)");
 
   private final Profile profile;
@@ -31,7 +31,7 @@ final class CommandParser {
   }
 
   /**
-   * A text that is a command, though its values may be out of range.
+   * A text that has the form of a command. Its values may be out of range.
    *
    * @param arguments the words after the verb
    */
@@ -46,7 +46,7 @@ final class CommandParser {
     }
   }
 
-  /** The command that {@code text} is; empty if it is unknown. */
+  /** Returns the command in {@code text}; empty if the command is unknown. */
   Optional<Parsed> parse(String text) {
     if (text.length() > WireText.LONGEST) {
       return Optional.empty();
@@ -58,7 +58,7 @@ final class CommandParser {
         .map(syntax -> new Parsed(syntax, syntax.arguments(words), profile));
   }
 
-  /** Why {@code text} is unknown, in plain words that follow "refused: ". */
+  /** Explains why {@code text} is unknown, worded to follow "refused: ". */
   Phrase explain(String text) {
     if (text.length() > WireText.LONGEST) {
       return Phrase.of("it is longer than %d bytes", WireText.LONGEST);
@@ -85,7 +85,7 @@ final class CommandParser {
         .orElse(Phrase.of("there is no such command"));
   }
 
-  /** What somebody may have meant who misspelt the verb, or forgot the blank behind it. */
+  /** Suggests a command if the verb is misspelt, or if the space after the verb is missing. */
   private Optional<Phrase> meant(String text, String first) {
     Matcher parts = VERB_AND_NUMBER.matcher(first);
     boolean glued = parts.matches();
@@ -97,7 +97,7 @@ final class CommandParser {
         .map(guess -> Phrase.of("there is no such command, did you mean `%s`?", guess));
   }
 
-  /** Which products would know a verb. */
+  /** Names the SDK that introduced a verb, if another product knows the verb. */
   private static Optional<Phrase> otherProfiles(String verb) {
     return Stream.of(CommandSyntax.values())
         .filter(syntax -> syntax.firstWord().equals(verb))
@@ -108,7 +108,7 @@ final class CommandParser {
                 Phrase.of("this drone does not know it, it came with SDK %s", since.version()));
   }
 
-  /** The words between single blanks; two blanks in a row give an empty word. */
+  /** Splits a text at single spaces. Two consecutive spaces enclose an empty word. */
   private static List<String> words(String text) {
     List<String> words = new ArrayList<>();
     int start = 0;

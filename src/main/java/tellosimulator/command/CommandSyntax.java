@@ -30,20 +30,24 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import tellosimulator.board.LampEffect;
-import tellosimulator.board.LightOrder;
-import tellosimulator.board.MatrixEffect;
-import tellosimulator.board.MatrixPicture;
+import tellosimulator.controller.Direction;
+import tellosimulator.controller.Sticks;
+import tellosimulator.controller.VideoOption;
+import tellosimulator.extension.LampEffect;
+import tellosimulator.extension.LightOrder;
+import tellosimulator.extension.MatrixEffect;
+import tellosimulator.extension.MatrixPicture;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
 import tellosimulator.words.Phrase;
 
 /**
- * The table of all commands: a row says how a command is written, when it is known, what its
- * parameters may be, what happens while another command runs, and which record it becomes.
+ * The table of all commands. A row defines a command's syntax, the SDK that introduced it, the
+ * ranges of its parameters, how the command is treated while another one runs, and the record that
+ * represents the parsed command.
  *
- * <p>A new command is a row here, a record in {@link Command} and a method in {@link
- * CommandTarget}. {@code docs/protocol.md} is generated from these rows.
+ * <p>To add a command, add a row here, a record in {@link Command} and an entry in {@link
+ * DroneCommands}. {@code docs/protocol.md} is generated from these rows.
  */
 public enum CommandSyntax {
   COMMAND(
@@ -121,7 +125,7 @@ public enum CommandSyntax {
       a ->
           new Command.Jump(
               new Command.GoToPad(a.point(0), a.meters(3), a.pad(5)),
-              StrictMath.toRadians(a.number(4)), // in a pad's frame as RoboMaster SDK counts it
+              StrictMath.toRadians(a.number(4)), // in a pad's frame, as in the RoboMaster SDK
               a.pad(6))),
   SPEED(
       row("speed", SDK_1_3).with(speed("x")).from("FHNW report; decided"),
@@ -275,64 +279,67 @@ public enum CommandSyntax {
     this.record = record;
   }
 
-  /** The first word of the verb. */
+  /** Returns the first word of the verb. */
   String firstWord() {
     return row.verbWords().get(0);
   }
 
-  /** The fixed words that it begins with. */
+  /** Returns the fixed words at the beginning of the command. */
   public String verb() {
     return verb;
   }
 
-  /** The SDK that brought it. */
+  /** Returns the SDK that introduced the command. */
   public Sdk since() {
     return row.since();
   }
 
-  /** Whether it changes nothing about the drone: a question, or {@code command}. */
+  /** Whether the command is a read command or {@code command}, so that any host may send it. */
   boolean readOnly() {
     return this == COMMAND || verb.endsWith("?");
   }
 
-  /** What happens while another command runs. */
+  /** Returns the rule for the command while another one runs. */
   public BusyRule busyRule() {
     return row.traits().busy();
   }
 
-  /** Whether it needs motors that carry the drone. */
+  /** Whether the command requires an airborne drone. */
   public boolean needsFlight() {
     return row.traits().flight();
   }
 
-  /** The successful reply, for people. */
+  /** Describes the reply when the command succeeds. */
   public String success() {
     return row.success();
   }
 
-  /** Where its behaviour is known from, for people. */
+  /** Describes the source of the command's behaviour. */
   public String source() {
     return row.source();
   }
 
-  /** How it is written, with the names of its parameters. */
+  /** Returns the command's syntax, with the names of its parameters. */
   public String usage() {
     StringBuilder usage = new StringBuilder(verb);
     row.parameters().forEach(parameter -> usage.append(' ').append(parameter.name().symbol()));
     return usage.toString();
   }
 
-  /** The parameters and their allowed values, for people; neighbours with the same in one. */
+  /**
+   * Describes the parameters and their ranges. Adjacent parameters with equal ranges share one
+   * description.
+   */
   public String ranges() {
     return row.ranges();
   }
 
-  /** Whether there are values that are out of range. */
+  /** Whether the command's values can be out of range. */
   public boolean limited() {
     return row.limited();
   }
 
-  /** The reply to a parameter out of its range. */
+  /** Returns the reply when a parameter is out of range. */
   public Reply outOfRange() {
     return row.traits().outOfRange();
   }
@@ -341,22 +348,22 @@ public enum CommandSyntax {
     return profile.knows(row.since());
   }
 
-  /** Whether these words are this command with the right number and form of parameters. */
+  /** Whether the words match this command, with the right number and form of parameters. */
   boolean matches(List<String> words) {
     return row.matches(words);
   }
 
-  /** The words after the verb. */
+  /** Returns the words after the verb. */
   Arguments arguments(List<String> words) {
     return row.arguments(words);
   }
 
-  /** What is wrong with the values; empty if nothing is. */
+  /** Returns the refusal of invalid values; empty if the values are valid. */
   Optional<Refusal> complaint(Arguments arguments, Profile profile) {
     return row.complaint(arguments, profile);
   }
 
-  /** The command; the values must be without complaint. */
+  /** Creates the command from valid values. */
   Command command(Arguments arguments) {
     return record.apply(arguments);
   }

@@ -1,11 +1,11 @@
 package tellosimulator.command;
 
 import java.util.Optional;
-import tellosimulator.board.LightOrder;
 import tellosimulator.command.CommandParser.Parsed;
+import tellosimulator.extension.LightOrder;
 import tellosimulator.profile.Profile;
 
-/** Tells what commands tell the lights of an extension board. For any thread. */
+/** Parses {@code EXT} light commands of an extension board. Thread-safe. */
 public final class LightCommands {
 
   private static final CommandParser PARSER = new CommandParser(Profile.TT);
@@ -13,9 +13,10 @@ public final class LightCommands {
   private LightCommands() {}
 
   /**
-   * The order to the lights that a command gives; empty if it is another one, or would be refused.
+   * Returns the light order in a command; empty if the text is not a light command, or would be
+   * refused.
    *
-   * @param text as it is sent, one character a byte
+   * @param text the text as sent, one character per byte
    */
   public static Optional<LightOrder> order(String text) {
     return PARSER

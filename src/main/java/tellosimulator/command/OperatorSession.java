@@ -6,43 +6,44 @@ import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
- * SDK mode, and which host operates the drone. Lost with the power; only who operated it last is
- * remembered, for people. For the simulation thread.
+ * The SDK mode of a drone, and the host that operates it. A loss of power ends SDK mode and leaves
+ * the drone without an operator. After that, the session remembers the previous operator only for
+ * messages. Confined to the simulation thread.
  *
- * <p>The host that first sends {@code command} is the operator; a program that is restarted sends
- * from another port of the same host and goes on. The drone is free again when it stands on the
- * ground and its operator has been silent for a minute, and after a reset; then the next sender of
- * {@code command} takes over, while the old operator just goes on if it is first.
+ * <p>The first host that sends {@code command} becomes the operator. A restarted program sends from
+ * another port of the same host, and the host remains the operator. The drone becomes free after a
+ * reset, or when it stands on the ground and its operator has been silent for a minute. The next
+ * sender of {@code command} then becomes the operator.
  */
 public final class OperatorSession {
 
-  /** Silence on the ground after which the drone is free [s]. Decided. */
+  /** Silence of the operator after which a drone on the ground becomes free [s]. Decided. */
   private static final double FREE_AFTER = 60;
 
   /**
-   * The same where everybody may steer, on the ground or not [s]. Decided: the time of the safety
-   * landing.
+   * Silence of the operator after which the drone becomes free, even in flight, if every host may
+   * send commands [s]. Decided: the same as the timeout of the safety landing.
    */
   private static final double FREE_FOR_ANYONE_AFTER = 15;
 
   /**
-   * Silence of an operator on another machine after which its state lines rest [s]. Decided: what
-   * nobody asks for is not sent into a network for ever.
+   * Silence of an operator on another machine after which state lines are suspended [s]. Decided: a
+   * program that has ended must not cause traffic in the network for ever.
    */
   private static final double REST_AFTER = 120;
 
-  /** When it is tried once more whether anybody takes state lines [s]. Decided. */
+  /** Delay after which the session tries once more to send state lines [s]. Decided. */
   private static final double TRIES_AGAIN_AFTER = 2;
 
-  /** A drone changed hands: who operates it now, and who on another host did before, if anybody. */
+  /** A change of operator, with the previous operator if it was another host. */
   public record Takeover(Peer operator, Optional<Peer> before) {}
 
   private final OperatorRule rule;
-  private final Link unlinked;
-  private final Consumer<Link> listener;
-  private Link link;
+  private final OperatorEndpoint unlinked;
+  private final Consumer<OperatorEndpoint> listener;
+  private OperatorEndpoint link;
 
-  /** Who operated it before, if that was another host. */
+  /** The previous operator, if it was another host. */
   private Optional<Peer> former = Optional.empty();
 
   private SimTime lastHeard = SimTime.ZERO;
@@ -51,22 +52,28 @@ public final class OperatorSession {
   private SimTime restsSince = SimTime.ZERO;
 
   /**
-   * @param statePort where state lines go unless {@code port} says otherwise
-   * @param videoPort where video goes unless {@code port} says otherwise
-   * @param listener is told of each other link at once, before anything is sent over it
+   * Creates a session without an operator.
+   *
+   * @param statePort the port for state lines, unless {@code port} changes it
+   * @param videoPort the port for video, unless {@code port} changes it
+   * @param listener notified of each new endpoint before anything is sent to it
    */
-  public OperatorSession(OperatorRule rule, int statePort, int videoPort, Consumer<Link> listener) {
+  public OperatorSession(
+      OperatorRule rule, int statePort, int videoPort, Consumer<OperatorEndpoint> listener) {
     this.rule = rule;
     this.listener = listener;
-    this.unlinked = new Link(Optional.empty(), statePort, videoPort);
+    this.unlinked = OperatorEndpoint.raw(Optional.empty(), statePort, videoPort);
     this.link = unlinked;
   }
 
-  public Link link() {
+  public OperatorEndpoint link() {
     return link;
   }
 
-  /** Whether what {@code peer} sends may change anything, now or as the first {@code command}. */
+  /**
+   * Whether {@code peer} may send commands that change anything. While there is no operator, any
+   * host that the rule accepts may.
+   */
   boolean admits(Peer peer) {
     if (!rule.exclusive()) {
       return true;
@@ -74,7 +81,7 @@ public final class OperatorSession {
     return link.sdkMode() ? isOperator(peer) : rule.accepts(peer.address().getAddress());
   }
 
-  /** Why {@code peer} is not admitted, in plain words that follow "turned away: ". */
+  /** Explains why {@code peer} is not admitted, worded to follow "turned away: ". */
   Phrase refusal(Peer peer) {
     if (!rule.accepts(peer.address().getAddress())) {
       return Phrase.of(
@@ -91,7 +98,10 @@ public final class OperatorSession {
             operator, operator, FREE_AFTER);
   }
 
-  /** Notes that something came from {@code peer}; the operator is shown as it commanded last. */
+  /**
+   * Records that {@code peer} has sent something. If the peer's host is the operator, the endpoint
+   * is updated to the peer's current address.
+   */
   void heard(Peer peer, SimTime now) {
     if (isOperator(peer)) {
       lastHeard = now;
@@ -102,10 +112,10 @@ public final class OperatorSession {
   }
 
   /**
-   * Takes a {@code command}.
+   * Handles {@code command}: makes its sender the operator if the drone is free.
    *
    * @param standing whether the drone stands on the ground
-   * @return the takeover, if the operator is another one now
+   * @return the takeover, if the operator has changed
    */
   public Optional<Takeover> open(Peer peer, SimTime now, boolean standing) {
     boolean same = isOperator(peer);
@@ -131,13 +141,16 @@ public final class OperatorSession {
     return !link.sdkMode() || released || given;
   }
 
-  /** Lets the next sender of {@code command} take over, without disturbing the operator. */
+  /**
+   * Lets the next sender of {@code command} become the operator. The current operator is not
+   * affected until then.
+   */
   public void release() {
     released = true;
   }
 
   /**
-   * Takes a {@code port}, which moves the ports of its sender only.
+   * Handles {@code port}. It changes the ports only if its sender is the operator.
    *
    * @return false if the sender is not the operator
    */
@@ -151,8 +164,9 @@ public final class OperatorSession {
   }
 
   /**
-   * Sends no state lines until the operator is heard again, because nobody takes them; but tries
-   * once more, for programs that open their port a little later.
+   * Handles the report that the operator's state port is closed: suspends state lines until the
+   * operator sends something. After the first report, one more line is sent, in case a program
+   * opens its port a little later.
    */
   public void restState(SimTime now) {
     if (wantsState(now)) {
@@ -161,22 +175,22 @@ public final class OperatorSession {
     }
   }
 
-  /** Whether state lines are to be sent. */
+  /** Whether state lines must be sent now. */
   public boolean wantsState(SimTime now) {
     boolean remote = link.operator().filter(operator -> !operator.local()).isPresent();
     boolean taken = rests == 0 || (rests == 1 && now.since(restsSince) >= TRIES_AGAIN_AFTER);
     return link.sdkMode() && taken && !(remote && now.since(lastHeard) >= REST_AFTER);
   }
 
-  /** Ends SDK mode, as without power: the drone is free. */
-  void close() {
+  /** Ends SDK mode, as on a loss of power. The drone is then free. */
+  public void close() {
     former = last();
     adopt(unlinked);
     released = false;
     rests = 0;
   }
 
-  private void adopt(Link newLink) {
+  private void adopt(OperatorEndpoint newLink) {
     if (!newLink.equals(link)) {
       link = newLink;
       listener.accept(link);

@@ -5,39 +5,38 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import tellosimulator.words.Phrase;
 
-/** One parameter of a command: what a word in its place must look like. */
+/** A parameter of a command. It defines the form and range of a word. */
 sealed interface Parameter {
 
-  /** What it is called. */
   Name name();
 
-  /** The allowed values in plain words. */
+  /** Returns the allowed values, in plain words. */
   Phrase allowed();
 
-  /** Whether there are words of the right form that are not allowed. */
+  /** Whether words of the right form can be out of range. */
   boolean limited();
 
-  /** Whether it is all that is left of a command, blanks included. */
+  /** Whether the parameter takes the entire rest of a command, including spaces. */
   default boolean takesRest() {
     return false;
   }
 
-  /** Whether a word has the right form at all; if not, the command is unknown. */
+  /** Whether a word has the right form. If not, the command is unknown. */
   boolean isForm(String word);
 
-  /** What is wrong with a word of the right form; empty if nothing is. */
+  /** Returns the reason why a word of the right form is invalid; empty if the word is valid. */
   Optional<Phrase> complaint(String word);
 
   /**
    * The name of a parameter.
    *
-   * @param symbol as a guide would write it
-   * @param subject of a sentence about its value; for one whose symbol alone says nothing, what it
-   *     is
+   * @param symbol the symbol, in the style of the guides
+   * @param subject the subject of sentences about the parameter's value: the symbol, or a
+   *     description if the symbol alone would be unclear
    */
   record Name(String symbol, Phrase subject) {
 
-    /** A name that a sentence takes as it is. */
+    /** Returns a name whose symbol is also the subject. */
     static Name of(String symbol) {
       return new Name(symbol, Phrase.of("%s", symbol));
     }
@@ -47,17 +46,17 @@ sealed interface Parameter {
     return new Name(symbol, subject);
   }
 
-  /** A number without a range. */
+  /** Returns a parameter for a number without a range. */
   static Parameter number(Name name, String unit) {
     return new Numeric(name, unit, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
   }
 
-  /** A number within a range, both ends included. */
+  /** Returns a parameter for a number within a range, both ends included. */
   static Parameter number(Name name, String unit, double least, double most) {
     return new Numeric(name, unit, least, most);
   }
 
-  /** A whole number within a range, both ends included. */
+  /** Returns a parameter for a whole number within a range, both ends included. */
   static Parameter whole(Name name, int least, int most) {
     return new Whole(new Numeric(name, "", least, most));
   }
@@ -66,7 +65,7 @@ sealed interface Parameter {
     return whole(Name.of(symbol), least, most);
   }
 
-  /** One of a few words. */
+  /** Returns a parameter for a choice of words. */
   static Parameter choice(Name name, String... words) {
     return new OptionValue(name, List.of(words));
   }
@@ -75,17 +74,17 @@ sealed interface Parameter {
     return choice(Name.of(symbol), words);
   }
 
-  /** Any word. */
+  /** Returns a parameter that takes any word. */
   static Parameter word(String symbol) {
     return new Word(Name.of(symbol), false);
   }
 
-  /** All words that are left, as one text with single blanks; only as the last parameter. */
+  /** Returns a parameter that takes all remaining words as one text with single spaces. */
   static Parameter text(String symbol) {
     return new Word(Name.of(symbol), true);
   }
 
-  // --- those that several commands share ---
+  // --- shared by several commands ---
 
   static Parameter cm(String symbol) {
     return number(Name.of(symbol), "cm", -500, 500);
@@ -134,7 +133,10 @@ sealed interface Parameter {
   /** A number in decimal digits. */
   record Numeric(Name name, String unit, double least, double most) implements Parameter {
 
-    /** Decided: ASCII digits, at most 15 characters, no exponent, no plus sign. */
+    /**
+     * The form of a number. Decided: ASCII digits, at most 15 characters, no exponent, no plus
+     * sign.
+     */
     private static final Pattern FORM = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
 
     private static final int LONGEST = 15;
@@ -160,7 +162,8 @@ sealed interface Parameter {
       double value = Double.parseDouble(word);
       return value >= least && value <= most
           ? Optional.empty()
-          : Optional.of(Phrase.of("%s is %s, allowed is %s", name.subject(), word, allowed()));
+          : Optional.of(
+              Phrase.of("%s is %s, but must be from %s", name.subject(), word, allowed()));
     }
 
     private static String text(double value) {
@@ -168,7 +171,7 @@ sealed interface Parameter {
     }
   }
 
-  /** A whole number; another number is out of range, another word has the wrong form. */
+  /** A whole number. A fraction is out of range. A word that is not a number has the wrong form. */
   record Whole(Numeric number) implements Parameter {
 
     @Override
@@ -196,11 +199,14 @@ sealed interface Parameter {
       double value = Double.parseDouble(word);
       return value == Math.rint(value)
           ? number.complaint(word)
-          : Optional.of(Phrase.of("%s is %s, it must be a whole number", name().subject(), word));
+          : Optional.of(Phrase.of("%s is %s, but must be a whole number", name().subject(), word));
     }
   }
 
-  /** One of a few words; another word is out of range. Two blanks enclose no word. */
+  /**
+   * One of several words. Any other word is out of range. The empty word between two spaces has the
+   * wrong form.
+   */
   record OptionValue(Name name, List<String> words) implements Parameter {
 
     @Override
@@ -224,15 +230,15 @@ sealed interface Parameter {
           ? Optional.empty()
           : Optional.of(
               Phrase.of(
-                  "%s is %s, allowed is one of %s",
+                  "%s is %s, but must be one of %s",
                   name.subject(), WireText.printable(word), String.join(", ", words)));
     }
   }
 
   /**
-   * Any word, but for the empty one between two blanks.
+   * Any word, except for the empty word between two spaces.
    *
-   * @param takesRest whether it goes on to the end of the command, over blanks
+   * @param takesRest whether the parameter extends to the end of the command, including spaces
    */
   record Word(Name name, boolean takesRest) implements Parameter {
 

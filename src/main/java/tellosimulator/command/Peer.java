@@ -3,20 +3,20 @@ package tellosimulator.command;
 import java.net.InetSocketAddress;
 
 /**
- * Who sent a command, and which of the drone's own addresses it was sent to, from which the replies
- * must leave.
+ * The sender of a command, and the drone's address at which the command arrived. Replies must be
+ * sent from that address.
  *
- * @param address the sender
- * @param via the local address and port that received it
+ * @param address the sender's address and port
+ * @param via the local address and port that received the command
  */
 public record Peer(InetSocketAddress address, InetSocketAddress via) {
 
-  /** The sender's host as a client writes it, without a port. */
+  /** Returns the sender's IP address in numeric form, without a port. */
   public String host() {
     return address.getAddress().getHostAddress();
   }
 
-  /** Whether it is a program on this machine that uses loopback. */
+  /** Whether the sender has a loopback address, and is thus a program on this machine. */
   public boolean local() {
     return address.getAddress().isLoopbackAddress();
   }

@@ -1,6 +1,6 @@
 package tellosimulator.command;
 
-/** What can be read from the drone by a command that ends with a question mark. */
+/** The values that can be read from the drone by commands with a question mark. */
 public enum Reading {
   SPEED,
   BATTERY,

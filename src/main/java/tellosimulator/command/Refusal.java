@@ -3,9 +3,9 @@ package tellosimulator.command;
 import tellosimulator.words.Phrase;
 
 /**
- * Why a command is not carried out.
+ * The refusal of a command.
  *
- * @param reply what the drone sends
- * @param reason in plain words that follow "refused: "
+ * @param reply the drone's reply
+ * @param reason the reason, worded to follow "refused: "
  */
 record Refusal(Reply reply, Phrase reason) {}

@@ -5,70 +5,75 @@ import java.util.List;
 import tellosimulator.words.Phrase;
 
 /**
- * One command that waits for its answer: now or later, once, twice ({@code stop}) or never. For the
+ * Replies to one command: now or later, once, twice ({@code stop}) or never. Confined to the
  * simulation thread.
  */
 public final class Responder {
 
-  /** Copies that wait for one answer. The vendor's client sends at most five. */
+  /**
+   * Maximum number of copies of a command, including the original, to which later replies are sent.
+   * The vendor's client sends at most five.
+   */
   private static final int MOST_COPIES = 8;
 
-  private final Peer peer;
-  private final String text;
-  private final ReplyPort replies;
+  private final Request request;
+  private final DronePort port;
   private final CommandObserver observer;
   private final List<String> headers = new ArrayList<>(1);
   private final List<Reply> given = new ArrayList<>(1);
 
   /**
-   * @param text the command as sent, without header
-   * @param header what each reply begins with; empty for an ordinary command
+   * Creates the responder to a command.
+   *
+   * @param header the prefix of each reply; empty for an ordinary command
    */
-  Responder(Peer peer, String text, String header, ReplyPort replies, CommandObserver observer) {
-    this.peer = peer;
-    this.text = text;
-    this.replies = replies;
+  Responder(Request request, String header, DronePort port, CommandObserver observer) {
+    this.request = request;
+    this.port = port;
     this.observer = observer;
     headers.add(header);
   }
 
   public Peer peer() {
-    return peer;
+    return request.peer();
   }
 
-  /** The command as it was sent, in a form that can be shown. */
+  /** Returns the command as sent, in printable form. */
   public String text() {
-    return WireText.printable(text);
+    return WireText.printable(request.text());
   }
 
   public void reply(Reply reply) {
-    observer.replied(peer, text, reply);
+    observer.replied(request, reply);
     send(reply);
   }
 
   /**
-   * Replies, and says why the command is not carried out.
+   * Sends the reply to a refused command.
    *
-   * @param reason in plain words that follow "refused: "
+   * @param reason the reason, worded to follow "refused: "
    */
   public void refuse(Reply reply, Phrase reason) {
-    observer.refused(peer, text, reply, reason);
+    observer.refused(request, reply, reason);
     send(reply);
   }
 
   /**
-   * Replies, and says why the command that was begun came to another end.
+   * Sends the reply to a command that was begun but could not be completed.
    *
-   * @param reason in plain words that follow "failed: "
+   * @param reason the reason, worded to follow "failed: "
    */
   public void fail(Reply reply, Phrase reason) {
-    observer.failed(peer, text, reply, reason);
+    observer.failed(request, reply, reason);
     send(reply);
   }
 
-  /** Answers a copy of the same command under its own header, now and from now on. */
+  /**
+   * Answers a copy of the command: repeats the previous replies under the header of the copy, and
+   * sends later replies under that header as well.
+   */
   void alsoAnswer(String header) {
-    given.forEach(reply -> replies.reply(peer, header + reply.text()));
+    given.forEach(reply -> send(header, reply));
     if (headers.size() < MOST_COPIES) {
       headers.add(header);
     }
@@ -76,6 +81,10 @@ public final class Responder {
 
   private void send(Reply reply) {
     given.add(reply);
-    headers.forEach(header -> replies.reply(peer, header + reply.text()));
+    headers.forEach(header -> send(header, reply));
+  }
+
+  private void send(String header, Reply reply) {
+    port.send(LinkDatagram.reply(request.peer(), WireText.encode(header + reply.text())));
   }
 }

@@ -5,16 +5,17 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The loss protection of the EDU: seven bytes {@code Re}, index, repeat number and a blank before a
- * command. An index is executed once; each copy is answered under its own header. Measured:
- * Multi-Tello-Formation (raw bytes) and RoboMaster SDK (ASCII digits).
+ * The retransmission scheme of the Tello EDU. Seven bytes precede a command: {@code Re}, an index,
+ * a repeat number and a space. A command is carried out only once per index, and each copy is
+ * answered under its own header. Measured: Multi-Tello-Formation (raw bytes) and RoboMaster SDK
+ * (ASCII digits).
  *
- * <p>Remembers the last 64 indices of each peer, so that a copy that arrives late is not flown
- * again. An index under which another text comes is a new command, because indices wrap around. A
- * program that starts anew begins with the same indices and often with the same texts; a {@code
- * command} tells that it has: one without a header, with which the vendor's programs look for
- * drones, or one whose own header comes again although other indices came since. Copies differ in
- * their repeat numbers. For the simulation thread.
+ * <p>Remembers the last 64 indices of each peer, so that a late copy is not carried out again. A
+ * known index with another text is a new command, because indices wrap around. A restarted program
+ * begins with the same indices and often the same texts. A {@code command} reveals the restart if
+ * it has no header, as the vendor's programs send it to discover drones, or if its exact header is
+ * repeated after other indices. (Copies differ in their repeat numbers.) Confined to the simulation
+ * thread.
  */
 final class Retransmission {
 
@@ -22,19 +23,25 @@ final class Retransmission {
   private static final int LENGTH = 7;
   private static final int INDEX_END = 4;
 
-  /** Peers whose indices are remembered. Assumed: more than any class has. */
+  /** Maximum number of remembered peers. Assumed: no school class has more clients. */
   private static final int MOST_PEERS = 64;
 
-  /** Indices that are remembered of a peer. Decided: fewer than the 100 of the RoboMaster SDK. */
+  /**
+   * Maximum number of remembered indices per peer. Decided: fewer than the 100 indices of the
+   * RoboMaster SDK, so that an index is forgotten before it is reused.
+   */
   private static final int MOST_INDICES = 64;
 
-  /** A command that was carried out, with the header of the copy that came first. */
+  /** A command that was carried out, with the header of its first copy. */
   private record Known(String header, String text, Responder responder) {}
 
-  /** From the peer that was heard longest ago to the latest; indices from oldest to newest. */
+  /**
+   * The remembered commands of each peer, by index, oldest first. The peers are ordered by the time
+   * of their last command, the earliest first.
+   */
   private final Map<Peer, Map<String, Known>> recent = bounded(MOST_PEERS, true);
 
-  /** The header that {@code text} begins with, or nothing. */
+  /** Returns the header of {@code text}; an empty text if there is none. */
   static String header(String text) {
     boolean present =
         text.length() >= LENGTH && text.startsWith(MARK) && text.charAt(LENGTH - 1) == ' ';
@@ -42,10 +49,10 @@ final class Retransmission {
   }
 
   /**
-   * How long the header is that a datagram begins with, or 0 [bytes].
+   * Returns the length of a datagram's header [bytes]; 0 if there is none.
    *
-   * @param bytes begin with the datagram
-   * @param length of the datagram [bytes]
+   * @param bytes an array that begins with the datagram
+   * @param length the length of the datagram [bytes]
    */
   static int headerLength(byte[] bytes, int length) {
     boolean present =
@@ -57,9 +64,9 @@ final class Retransmission {
   }
 
   /**
-   * The command of which this is a copy, if it is one.
+   * Returns the responder of the original command if this command is a copy.
    *
-   * @param header empty for a text that came without
+   * @param header the header; empty for a text without a header
    */
   Optional<Responder> original(Peer peer, String header, String text) {
     Map<String, Known> indices = recent.getOrDefault(peer, Map.of());
@@ -86,7 +93,7 @@ final class Retransmission {
   void remember(String header, String text, Responder responder) {
     Map<String, Known> indices =
         recent.computeIfAbsent(responder.peer(), peer -> bounded(MOST_INDICES, false));
-    indices.remove(index(header)); // or it would keep its place among the older ones
+    indices.remove(index(header)); // otherwise the index would keep its old position
     indices.put(index(header), new Known(header, text, responder));
   }
 

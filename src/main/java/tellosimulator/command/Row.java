@@ -9,16 +9,16 @@ import tellosimulator.profile.Sdk;
 import tellosimulator.words.Phrase;
 
 /**
- * A row of the table of commands: how a command is written and treated. Immutable; {@link
- * CommandSyntax} makes each step by step.
+ * A row of the command table: the syntax of a command and how it is treated. Immutable. {@link
+ * CommandSyntax} builds each row step by step.
  *
- * @param verbWords the fixed words that it begins with
- * @param since the SDK that brought it
- * @param parameters the words that follow
- * @param traits how it is treated
- * @param success the reply that says that it was carried out; for people
- * @param source where that is known from
- * @param rule what else must hold of the parameters, together
+ * @param verbWords the fixed words at the beginning of the command
+ * @param since the SDK that introduced the command
+ * @param parameters the parameters, which follow the verb
+ * @param traits how the command is treated
+ * @param success a description of the reply when the command succeeds
+ * @param source the source of the facts in this row
+ * @param rule a rule that involves several parameters
  */
 record Row(
     List<String> verbWords,
@@ -30,9 +30,9 @@ record Row(
     Rule rule) {
 
   /**
-   * What must hold of the parameters together.
+   * A rule that involves several parameters.
    *
-   * @param words for people; empty if there is no such rule
+   * @param words a description; empty if there is no rule
    */
   record Rule(String words, BiFunction<Arguments, Profile, Optional<Refusal>> check) {
 
@@ -42,9 +42,9 @@ record Row(
   /**
    * How a command is treated.
    *
-   * @param busy what happens while another command runs
-   * @param flight whether it needs motors that carry the drone
-   * @param outOfRange the reply to a parameter that is out of its range
+   * @param busy how it is treated while another command runs
+   * @param flight whether it requires an airborne drone
+   * @param outOfRange the reply when a parameter is out of range
    */
   record Traits(BusyRule busy, boolean flight, Reply outOfRange) {}
 
@@ -58,7 +58,10 @@ record Row(
     return new Row(verbWords, since, List.of(more), traits, success, source, rule);
   }
 
-  /** Flies: it needs running motors, and answers when the drone has balanced out. */
+  /**
+   * Returns a copy for a flight command. Such a command requires running motors, and is answered
+   * when the drone hovers steadily.
+   */
   Row flight() {
     Traits flying = new Traits(traits.busy(), true, Reply.OUT_OF_RANGE);
     return new Row(verbWords, since, parameters, flying, "`ok` on arrival", source, rule);
@@ -115,9 +118,9 @@ record Row(
         .from("SDK 3.0 guide; RoboMaster SDK");
   }
 
-  // --- what it says of words and values ---
+  // --- matching and checks ---
 
-  /** Whether words are this command with the right number and form of parameters. */
+  /** Whether the words match this command, with the right number and form of parameters. */
   boolean matches(List<String> separate) {
     List<String> words = joined(separate);
     int verbLength = verbWords.size();
@@ -133,13 +136,13 @@ record Row(
     return true;
   }
 
-  /** The words after the verb. */
+  /** Returns the words after the verb. */
   Arguments arguments(List<String> words) {
     List<String> joined = joined(words);
     return new Arguments(joined.subList(verbWords.size(), joined.size()));
   }
 
-  /** The words with those of a text that takes the rest as one. */
+  /** Joins the last words into one if the last parameter takes the rest of the command. */
   private List<String> joined(List<String> words) {
     int count = verbWords.size() + parameters.size();
     boolean text = parameters.stream().anyMatch(Parameter::takesRest);
@@ -151,7 +154,7 @@ record Row(
     return joined;
   }
 
-  /** What is wrong with the values; empty if nothing is. */
+  /** Returns the refusal of invalid values; empty if the values are valid. */
   Optional<Refusal> complaint(Arguments arguments, Profile profile) {
     for (int i = 0; i < parameters.size(); i++) {
       Optional<Phrase> complaint = parameters.get(i).complaint(arguments.word(i));
@@ -162,12 +165,15 @@ record Row(
     return rule.check().apply(arguments, profile);
   }
 
-  /** Whether there are values that are out of range. */
+  /** Whether the values can be out of range. */
   boolean limited() {
     return !rule.words().isEmpty() || parameters.stream().anyMatch(Parameter::limited);
   }
 
-  /** The parameters and their allowed values, for people; neighbours with the same in one. */
+  /**
+   * Describes the parameters and their ranges. Adjacent parameters with equal ranges share one
+   * description.
+   */
   String ranges() {
     StringBuilder ranges = new StringBuilder();
     String before = "";

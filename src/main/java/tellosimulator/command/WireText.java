@@ -5,15 +5,19 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Set;
 
-/** Bytes of the wire as text and back, without loss: one character a byte (ISO-8859-1). */
+/**
+ * Converts bytes on the wire to texts and back, without loss: one character per byte (ISO-8859-1).
+ */
 public final class WireText {
 
-  /** Longest datagram that can be a command, and longest echo [bytes]. Decided, no source. */
+  /**
+   * Maximum length of a command and of an echo [bytes]. Decided, because no source gives a limit.
+   */
   public static final int LONGEST = 1024;
 
   private static final int LONGEST_SHOWN = 80;
 
-  /** First words of commands that are never answered; see {@link CommandSyntax}. */
+  /** The commands {@code rc} and {@code emergency}, to which the drone never replies. */
   private static final Set<String> UNANSWERED =
       Set.of(CommandSyntax.RC.verb(), CommandSyntax.EMERGENCY.verb());
 
@@ -22,15 +26,15 @@ public final class WireText {
 
   private WireText() {}
 
-  public static String decode(byte[] bytes, int length) {
-    return new String(bytes, 0, length, StandardCharsets.ISO_8859_1);
+  public static String decode(byte[] bytes) {
+    return new String(bytes, StandardCharsets.ISO_8859_1);
   }
 
   public static byte[] encode(String text) {
     return text.getBytes(StandardCharsets.ISO_8859_1);
   }
 
-  /** The text without any trailing CR, LF and NUL and without one trailing blank. */
+  /** Removes all trailing CR, LF and NUL, and one trailing space. */
   static String trimmed(String text) {
     int end = text.length();
     boolean blankDropped = false;
@@ -47,18 +51,19 @@ public final class WireText {
   }
 
   /**
-   * Whether a datagram begins with the first word of a command of any product, perhaps after a
-   * header; whether it is one is up to its other words.
+   * Returns whether a datagram begins with the first word of a command of any product, possibly
+   * after a header. Whether the datagram really is a command depends on its other words.
    */
   public static boolean beginsLikeCommand(String datagram) {
     return beginsLikeCommand(encode(datagram), datagram.length());
   }
 
   /**
-   * The same of a datagram as it came. Makes no garbage, as floods are looked at.
+   * Returns the same as {@link #beginsLikeCommand(String)} for the bytes of a datagram. Allocates
+   * nothing, because it is called for every datagram of a flood.
    *
-   * @param bytes begin with the datagram
-   * @param length of the datagram [bytes]
+   * @param bytes an array that begins with the datagram
+   * @param length the length of the datagram [bytes]
    */
   public static boolean beginsLikeCommand(byte[] bytes, int length) {
     int start = Retransmission.headerLength(bytes, length);
@@ -74,7 +79,11 @@ public final class WireText {
     return false;
   }
 
-  /** Whether a datagram is a command that is never answered, if it is a command. */
+  /**
+   * Whether a command is {@code rc} or {@code emergency}, to which the drone never replies.
+   *
+   * @param datagram a datagram that contains a command
+   */
   public static boolean isUnanswered(String datagram) {
     return UNANSWERED.contains(firstWord(datagram));
   }
@@ -88,7 +97,7 @@ public final class WireText {
     return datagram.substring(start, end);
   }
 
-  /** The text in a form that harms no terminal and no log: escaped and cut. */
+  /** Escapes and truncates a text, so that it is safe in terminals and logs. */
   public static String printable(String text) {
     StringBuilder out = new StringBuilder();
     for (int i = 0; i < text.length(); i++) {

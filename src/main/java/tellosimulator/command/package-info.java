@@ -1,11 +1,12 @@
 /**
- * The text interface: from bytes of the wire to commands, and from answers back to texts.
+ * The protocol between programs and drones: {@link tellosimulator.command.DroneProtocol}, and its
+ * implementation for the SDK's texts, {@link tellosimulator.command.TextProtocol}.
  *
- * <p>{@link tellosimulator.command.CommandSyntax} is the table of all commands; {@link
- * tellosimulator.command.CommandHandler} checks a text against it and hands a {@link
- * tellosimulator.command.Command} to a {@link tellosimulator.command.CommandTarget}, which answers
- * through a {@link tellosimulator.command.Responder}. All of it runs on the simulation thread. The
- * package imports {@code profile}, {@code time} and {@code math}. Sockets are not its job, and
- * neither is flying.
+ * <p>{@link tellosimulator.command.CommandSyntax} is the table of all commands. {@link
+ * tellosimulator.command.CommandHandler} checks a text against the table, and passes a {@link
+ * tellosimulator.command.Command} to {@link tellosimulator.command.DroneCommands}. That class gives
+ * the order to the {@code controller}, and turns the result into replies. {@link
+ * tellosimulator.command.StateLines} reports the drone's state. All mutable state of this package
+ * is confined to the simulation thread. Sockets and flight logic belong to other packages.
  */
 package tellosimulator.command;

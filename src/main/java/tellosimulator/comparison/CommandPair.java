@@ -6,11 +6,11 @@ import java.util.stream.Stream;
 import tellosimulator.comparison.Tolerance.Aspect;
 
 /**
- * A command of two flights. Immutable; for any thread.
+ * A pair of corresponding commands in two flights. Immutable.
  *
- * @param first in the first flight; empty if it was not sent there
- * @param second in the second flight; empty if it was not sent there
- * @param differing in what they differ; empty if they are alike
+ * @param first the command in the first flight; empty if it was not sent in that flight
+ * @param second the command in the second flight; empty if it was not sent in that flight
+ * @param differing the aspects in which the two commands differ; empty if they are alike
  */
 public record CommandPair(
     Optional<FlownCommand> first, Optional<FlownCommand> second, Set<Aspect> differing) {
@@ -19,17 +19,17 @@ public record CommandPair(
     differing = Set.copyOf(differing);
   }
 
-  /** As it was sent. */
+  /** The text of the command as it was sent. */
   public String text() {
     return either().command().text();
   }
 
-  /** Whether it differs in nothing. */
+  /** Whether the two commands agree in all aspects. */
   public boolean alike() {
     return differing.isEmpty();
   }
 
-  /** To which drone, from 1. */
+  /** The drone's number, from 1. */
   public int drone() {
     return either().command().drone();
   }

@@ -1,63 +1,49 @@
 package tellosimulator.comparison;
 
 import java.util.Locale;
-import java.util.OptionalDouble;
+import java.util.function.BiFunction;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import tellosimulator.command.WireText;
 import tellosimulator.comparison.FlownCommand.Motion;
 
-/** What a comparison shows of a command, once for each flight, in the order of its columns. */
+/**
+ * The columns of a comparison, in order. Each column shows one value of a command, for both
+ * flights.
+ */
 public enum ComparisonColumn {
-  REPLY {
-    @Override
-    public String text(FlownCommand flown, Locale locale) {
-      return WireText.printable(flown.command().reply().stripTrailing());
-    }
-  },
+  REPLY((flown, locale) -> WireText.printable(flown.command().reply().stripTrailing())),
   /** The duration [s]. */
-  SECONDS {
-    @Override
-    public String text(FlownCommand flown, Locale locale) {
-      OptionalDouble seconds = flown.command().duration();
-      return seconds.isPresent() ? String.format(locale, "%.2f", seconds.getAsDouble()) : "";
-    }
-  },
-  /** [cm] */
-  FORWARD {
-    @Override
-    public String text(FlownCommand flown, Locale locale) {
-      return whole(flown, Motion::forward);
-    }
-  },
-  /** [cm] */
-  LEFT {
-    @Override
-    public String text(FlownCommand flown, Locale locale) {
-      return whole(flown, Motion::left);
-    }
-  },
-  /** [cm] */
-  UP {
-    @Override
-    public String text(FlownCommand flown, Locale locale) {
-      return whole(flown, Motion::up);
-    }
-  },
-  /** Clockwise [degrees]. */
-  TURN {
-    @Override
-    public String text(FlownCommand flown, Locale locale) {
-      return whole(flown, Motion::turn);
-    }
-  };
+  SECONDS(
+      (flown, locale) ->
+          flown.command().duration().stream()
+              .mapToObj(seconds -> String.format(locale, "%.2f", seconds))
+              .collect(Collectors.joining())),
+  /** Forward displacement [cm]. */
+  FORWARD(whole(Motion::forward)),
+  /** Displacement to the left [cm]. */
+  LEFT(whole(Motion::left)),
+  /** Upward displacement [cm]. */
+  UP(whole(Motion::up)),
+  /** Turn, clockwise [degrees]. */
+  TURN(whole(Motion::turn));
 
-  /** The value as people read it; empty if it is not known. */
-  public abstract String text(FlownCommand flown, Locale locale);
+  private final BiFunction<FlownCommand, Locale, String> text;
 
-  private static String whole(FlownCommand flown, ToDoubleFunction<Motion> part) {
-    return flown
-        .motion()
-        .map(motion -> Long.toString(Math.round(part.applyAsDouble(motion))))
-        .orElse("");
+  ComparisonColumn(BiFunction<FlownCommand, Locale, String> text) {
+    this.text = text;
+  }
+
+  /** Formats the value for users; empty if it is unknown. */
+  public String text(FlownCommand flown, Locale locale) {
+    return text.apply(flown, locale);
+  }
+
+  private static BiFunction<FlownCommand, Locale, String> whole(ToDoubleFunction<Motion> part) {
+    return (flown, locale) ->
+        flown
+            .motion()
+            .map(motion -> Long.toString(Math.round(part.applyAsDouble(motion))))
+            .orElse("");
   }
 }

@@ -9,7 +9,10 @@ import java.util.stream.Collectors;
 import tellosimulator.command.WireText;
 import tellosimulator.comparison.Tolerance.Aspect;
 
-/** Two flights as a table of text: a row for each command, two values in each cell. */
+/**
+ * Formats a comparison of two flights as a text table with one row for each command and two values
+ * in each cell.
+ */
 public final class ComparisonTable {
 
   private static final List<String> HEADER =
@@ -24,7 +27,7 @@ public final class ComparisonTable {
           "turn deg",
           "verdict");
 
-  /** Longest text of a command or reply that is shown whole. */
+  /** Maximum length of a command or reply in the table [characters]. Longer texts are shortened. */
   private static final int LONGEST = 40;
 
   private final FlightComparison comparison;
@@ -35,7 +38,7 @@ public final class ComparisonTable {
     this.tolerance = tolerance;
   }
 
-  /** Prints it, with a last line that says how many commands differ. */
+  /** Prints the table, followed by a line with the number of commands that differ. */
   public void print(PrintStream out) {
     List<List<String>> rows = new ArrayList<>();
     rows.add(HEADER);

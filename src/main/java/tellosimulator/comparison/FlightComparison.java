@@ -16,18 +16,22 @@ import tellosimulator.recording.ReportedState;
 import tellosimulator.recording.UnreadableRecordingException;
 
 /**
- * Two flights, command by command. Commands are paired drone by drone, in order; where one flight
- * has some that the other lacks, the longest common subsequence decides. {@code rc} has no reply
- * and is left out. Immutable; for any thread.
+ * A comparison of two flights, command by command. The commands of each drone are paired in order.
+ * If one flight has commands that the other lacks, the longest common subsequence determines the
+ * pairs. {@code rc} has no reply and is left out. Immutable.
  *
- * @param pairs in the order of the first flight, drone by drone
+ * @param pairs the pairs in the order of the first flight, drone by drone
  */
 public record FlightComparison(List<CommandPair> pairs) {
 
-  /** Pairs of commands that are looked at; longer flights are paired as far as they go alike. */
+  /**
+   * Maximum size of the table of common subsequences [entries]. If a table would be larger,
+   * commands of the first flight stay unpaired until one equals the next command of the second
+   * flight.
+   */
   private static final long MOST_PAIRS = 4_000_000;
 
-  /** A drone's commands of one flight. */
+  /** The commands of one drone in one flight. */
   private record Sequence(List<FlownCommand> commands) {
     String text(int index) {
       return commands.get(index).command().text();
@@ -38,7 +42,7 @@ public record FlightComparison(List<CommandPair> pairs) {
     }
   }
 
-  /** A flight and what its state lines said. */
+  /** A flight and its state lines. */
   public record Flight(RecordedFlight recording, List<ReportedState> states) {
 
     public Flight {
@@ -48,11 +52,12 @@ public record FlightComparison(List<CommandPair> pairs) {
     /**
      * Reads a recording.
      *
-     * @throws UnreadableRecordingException with a sentence, if there is none
-     * @throws IOException if a file of it cannot be read
+     * @throws UnreadableRecordingException if the folder contains no readable recording; the
+     *     message is one sentence
+     * @throws IOException if a file of the recording cannot be read
      */
     public static Flight read(Path folder) throws UnreadableRecordingException, IOException {
-      return new Flight(RecordedFlight.read(folder), ReportedState.readAll(folder));
+      return new Flight(RecordedFlight.readCommands(folder), ReportedState.readAll(folder));
     }
 
     private Sequence sequence(int drone) {
@@ -83,12 +88,12 @@ public record FlightComparison(List<CommandPair> pairs) {
     return new FlightComparison(pairs);
   }
 
-  /** Whether nothing differs by more than is tolerated. */
+  /** Whether all commands are alike within the tolerance. */
   public boolean alike() {
     return differing() == 0;
   }
 
-  /** How many commands differ by more than is tolerated. */
+  /** The number of commands that differ by more than the tolerance. */
   public long differing() {
     return pairs.stream().filter(pair -> !pair.alike()).count();
   }
@@ -114,7 +119,10 @@ public record FlightComparison(List<CommandPair> pairs) {
     return pairs;
   }
 
-  /** Whether nothing is lost if the next command of the first flight has no counterpart. */
+  /**
+   * Returns whether the next command of the first flight can stay unpaired without shortening the
+   * common subsequence.
+   */
   private static boolean firstAlone(int[][] common, int i, int j) {
     return common[i + 1][j] >= common[i][j + 1];
   }
@@ -123,7 +131,10 @@ public record FlightComparison(List<CommandPair> pairs) {
     return new CommandPair(first, second, Set.of(Aspect.MISSING));
   }
 
-  /** Lengths of the longest common subsequences from each pair of commands on. */
+  /**
+   * For each pair of positions, computes the length of the longest common subsequence of the
+   * commands from there to the end.
+   */
   private static int[][] commonLengths(Sequence first, Sequence second) {
     int[][] common = new int[first.size() + 1][second.size() + 1];
     for (int i = first.size() - 1; i >= 0; i--) {

@@ -8,29 +8,29 @@ import tellosimulator.recording.RecordedCommand;
 import tellosimulator.recording.ReportedState;
 
 /**
- * A command with how the drone moved until it was answered. Immutable; for any thread.
+ * A command and the drone's motion until the reply. Immutable.
  *
- * @param command with its reply
- * @param motion as the state lines tell it; empty if there are too few
+ * @param command the command with its reply
+ * @param motion the motion according to the state lines; empty if there are too few lines
  */
 public record FlownCommand(RecordedCommand command, Optional<Motion> motion) {
 
   /**
-   * How far a drone came, in its own frame when the command was sent.
+   * The displacement of a drone, in the drone's frame at the time of the command.
    *
-   * @param forward to where its nose pointed [cm]
-   * @param left [cm]
-   * @param up [cm]
-   * @param turn clockwise seen from above, from -180 to 180 [degrees]
+   * @param forward displacement in the direction of the nose [cm]
+   * @param left displacement to the left [cm]
+   * @param up displacement upwards [cm]
+   * @param turn change in yaw, clockwise seen from above, from -180 to 180 [degrees]
    */
   public record Motion(double forward, double left, double up, double turn) {}
 
   private static final double CENTIMETERS = 100;
 
   /**
-   * Measures a command.
+   * Determines the motion that belongs to a command.
    *
-   * @param states of its drone, in the order of time
+   * @param states the drone's states, in order of time
    */
   static FlownCommand of(RecordedCommand command, List<ReportedState> states) {
     OptionalDouble answered = command.answered();
@@ -44,7 +44,7 @@ public record FlownCommand(RecordedCommand command, Optional<Motion> motion) {
         command, during.size() < 2 ? Optional.empty() : Optional.of(motion(during)));
   }
 
-  /** Index of the first one that is not before a moment. */
+  /** Returns the index of the first state that is not earlier than a time. */
   private static int firstAt(List<ReportedState> states, double time) {
     int low = 0;
     int high = states.size();
@@ -80,7 +80,7 @@ public record FlownCommand(RecordedCommand command, Optional<Motion> motion) {
         wrapped(last.yawDeg() - first.yawDeg()));
   }
 
-  /** From -180 to 180 [degrees]. */
+  /** Wraps an angle to the range from -180 to 180 [degrees]. */
   static double wrapped(double degrees) {
     return Math.IEEEremainder(degrees, 360);
   }

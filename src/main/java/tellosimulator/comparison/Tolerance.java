@@ -7,25 +7,25 @@ import java.util.Set;
 import tellosimulator.comparison.FlownCommand.Motion;
 
 /**
- * How much two flights of the same commands may differ and still count as alike. Immutable; for any
- * thread.
+ * The limits within which two flights with the same commands count as alike. Immutable.
  *
- * @param share of the larger value, for durations and distances, 0 to 1
- * @param seconds a duration may differ by so much in any case [s]
- * @param centimeters a distance may differ by so much in any case [cm]
- * @param degrees a turn may differ by so much
+ * @param share the tolerated difference in durations and distances, as a fraction of the larger
+ *     value, 0 to 1
+ * @param seconds difference in duration that is always tolerated [s]
+ * @param centimeters difference in distance that is always tolerated [cm]
+ * @param degrees tolerated difference in turns [degrees]
  */
 public record Tolerance(double share, double seconds, double centimeters, double degrees) {
 
   /**
-   * What a real drone differs by from flight to flight. Decided: 15 % is the scatter of the
-   * published durations; state lines tell speeds in steps of 10 cm/s.
+   * The variation of a real drone from flight to flight. Decided: the published durations scatter
+   * by 15 %, and state lines give speeds in steps of 10 cm/s.
    */
   public static final Tolerance DEFAULT = new Tolerance(0.15, 0.5, 30, 10);
 
-  /** In what a command of two flights can differ. */
+  /** The aspects in which a command can differ between two flights. */
   public enum Aspect {
-    /** It was sent in one of them only. */
+    /** The command was sent in only one of the flights. */
     MISSING,
     REPLY,
     DURATION,
@@ -34,7 +34,7 @@ public record Tolerance(double share, double seconds, double centimeters, double
     TURN
   }
 
-  /** In what a command of two flights differs. */
+  /** Returns the aspects in which a command differs between two flights. */
   Set<Aspect> differing(FlownCommand first, FlownCommand second) {
     Set<Aspect> differing = EnumSet.noneOf(Aspect.class);
     boolean read = first.command().text().endsWith("?");

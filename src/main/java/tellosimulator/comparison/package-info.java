@@ -1,10 +1,10 @@
 /**
- * What differs between two flights with the same commands.
+ * Compares two flights with the same commands.
  *
  * <p>{@link tellosimulator.comparison.FlightComparison} pairs the commands of two recordings and
- * measures how the drones moved by their state lines alone, so that flights of real drones can be
- * compared, too; a {@link tellosimulator.comparison.Tolerance} says what counts as alike. All is
- * immutable but the printed {@link tellosimulator.comparison.ComparisonTable}. The package imports
- * {@code recording}. Pages for browsers are not its job, but that of {@code report}.
+ * measures the drones' motion from their state lines alone, so that flights of real drones can be
+ * compared as well. A {@link tellosimulator.comparison.Tolerance} defines which differences are
+ * accepted. All types are immutable except {@link tellosimulator.comparison.ComparisonTable}. The
+ * package imports {@code recording}. HTML pages are the job of {@code report}.
  */
 package tellosimulator.comparison;

@@ -1,34 +1,38 @@
 package tellosimulator.concurrent;
 
-/** Work that is done again and again, on the thread of a {@link Worker}. */
+/** Work that is repeated on the thread of a {@link Worker}. */
 public interface Agent {
 
-  /** What a call of {@link #doWork} came to. */
+  /** The outcome of a call to {@link #doWork}. */
   enum Outcome {
-    /** It did something; call it again. */
+    /** Some work was done. The worker calls {@link Agent#doWork} again. */
     WORKED,
-    /** There was nothing to do; call {@link #idle}, then it again. */
+    /**
+     * There was nothing to do. The worker calls {@link Agent#idle}, then {@link Agent#doWork}
+     * again.
+     */
     IDLE,
-    /** There never will be anything to do again; end the thread. */
+    /** There will be no more work. The thread ends. */
     FINISHED
   }
 
   /**
-   * Does what is to be done now. It may block, as long as whoever ends the worker can unblock it.
+   * Does the work that is due. The call may block only if the code that ends the worker can unblock
+   * it.
    */
   Outcome doWork() throws Exception;
 
-  /** Waits until there may be something to do. */
+  /** Waits until there may be work. */
   default void idle() throws Exception {}
 
   /**
-   * Decides what becomes of the worker. Returns what was made beforehand: there may be no memory
-   * left.
+   * Decides how the worker continues. Must return a policy that was allocated beforehand, since
+   * memory may be exhausted.
    *
-   * @param failure what {@link #doWork} or {@link #idle} threw, errors included
+   * @param failure the exception or error that {@link #doWork} or {@link #idle} has thrown
    */
   ErrorPolicy onError(Throwable failure);
 
-  /** The last thing that is done on the thread, whatever ended it. */
+  /** Called last on the thread, no matter how the thread ends. */
   default void onClose() {}
 }

@@ -6,8 +6,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * How a worker reacts when its agent throws: continue, retry or finish; and the message to log.
- * Allocated in advance, with a message for the case that memory is exhausted. For any thread.
+ * The reaction of a worker to a failure of its agent: whether to continue, retry or finish, and
+ * which message to log. A policy is allocated in advance, together with the message that is logged
+ * if memory is exhausted. Thread-safe.
  */
 public final class ErrorPolicy {
 
@@ -16,7 +17,10 @@ public final class ErrorPolicy {
   private static final String FULL =
       "memory is full; give the program more, such as " + MemoryAdvice.COMMAND;
 
-  /** Made, and with it its class loaded, while there is memory. */
+  /**
+   * The standard error. It is created here, so that its class is loaded while memory is still
+   * available.
+   */
   private static final StandardError STANDARD_ERROR = new StandardError();
 
   enum Action {
@@ -36,20 +40,30 @@ public final class ErrorPolicy {
   }
 
   /**
-   * It goes on, however often this happens.
+   * Returns a policy with which the worker continues, no matter how often its agent fails.
    *
-   * @param what failed: the beginning of a sentence, such as "A picture could not be made"
+   * @param what the beginning of a sentence about the failure, such as "A picture could not be
+   *     made"
    */
   public static ErrorPolicy goOn(String what) {
     return new ErrorPolicy(Action.GO_ON, what);
   }
 
-  /** It goes on, but ends the program when most of its work fails. */
+  /**
+   * Returns a policy with which the worker continues. The program ends if most of the worker's work
+   * fails.
+   *
+   * @param what the beginning of a sentence about the failure
+   */
   public static ErrorPolicy retry(String what) {
     return new ErrorPolicy(Action.RETRY, what);
   }
 
-  /** It ends; the program does not need it. */
+  /**
+   * Returns a policy that ends the worker. The program continues without the worker.
+   *
+   * @param what the beginning of a sentence about the failure
+   */
   public static ErrorPolicy finish(String what) {
     return new ErrorPolicy(Action.FINISH, what);
   }
@@ -58,19 +72,21 @@ public final class ErrorPolicy {
     return action;
   }
 
-  /** Says in one sentence what failed, and why; never throws. */
+  /** Logs the failure and its reason in one sentence; never throws. */
   public void tell(Throwable failure) {
     tell(failure, 0);
   }
 
   /**
-   * Says in one sentence what failed, and why; never throws.
+   * Logs the failure and its reason in one sentence; never throws.
    *
-   * @param untold how often the same worker failed without a word since its last sentence
+   * @param untold the number of failures of the same worker that have not been logged since the
+   *     last message
    */
   void tell(Throwable failure, long untold) {
     try {
-      String often = untold == 0 ? what : what + " (" + untold + " times more since it was told)";
+      String often =
+          untold == 0 ? what : what + " (" + untold + " more times since the last message)";
       if (failure instanceof OutOfMemoryError) {
         LOG.error("{}: {}", often, FULL);
       } else if (failure instanceof IOException) {
@@ -79,7 +95,7 @@ public final class ErrorPolicy {
       } else {
         LOG.error("{}; please report this: {}", often, failure.toString(), failure);
       }
-    } catch (Throwable unsaid) { // most likely there is no memory for it
+    } catch (Throwable unsaid) { // most likely memory is exhausted
       STANDARD_ERROR.write(withoutMemory);
     }
   }

@@ -1,19 +1,20 @@
 package tellosimulator.concurrent;
 
-/** Tells errors that concern one piece of work from those that concern the whole program. */
+/** Distinguishes errors in one piece of work from those that affect the whole program. */
 public final class Exceptions {
 
   private Exceptions() {}
 
   /**
-   * Whether the Java machine itself is short of something, so that the next piece of work may fail
-   * as well. A stack that overflowed is empty again as soon as it is caught.
+   * Returns whether a failure means that the JVM itself lacks resources, so that the next piece of
+   * work may fail as well. A stack overflow does not count, because the stack is free again when
+   * the error is caught.
    */
   public static boolean isFatal(Throwable failure) {
     return failure instanceof VirtualMachineError && !(failure instanceof StackOverflowError);
   }
 
-  /** Throws a fatal error again; for those who catch everything else. */
+  /** Rethrows a failure if it is fatal. Callers handle all other failures themselves. */
   public static void throwIfFatal(Throwable failure) {
     if (isFatal(failure)) {
       throw (VirtualMachineError) failure;

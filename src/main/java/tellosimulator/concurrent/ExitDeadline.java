@@ -4,27 +4,27 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Ends the process where ending it in order takes too long, as when a terminal takes no more text.
- * Needs no memory once it is made. For any thread.
+ * Halts the process if an orderly exit takes too long, for example because a terminal no longer
+ * accepts text. Allocates nothing after construction. Thread-safe.
  */
 final class ExitDeadline {
 
   private final CountDownLatch begun = new CountDownLatch(1);
 
   /**
-   * Waits for {@link #begin}.
+   * Starts a thread that waits for {@link #begin}.
    *
    * @param code the exit code
-   * @param nanos how long the end may take [ns]
+   * @param nanos the maximum duration of the exit [ns]
    */
   ExitDeadline(int code, long nanos) {
     Worker.once(
         "exit-deadline",
-        ErrorPolicy.finish("The end in time is not sure"),
+        ErrorPolicy.finish("The exit deadline could not be enforced"),
         () -> await(code, nanos));
   }
 
-  /** Lets the time run. */
+  /** Starts the countdown. */
   void begin() {
     begun.countDown();
   }

@@ -6,16 +6,19 @@ import java.util.function.IntConsumer;
 import org.slf4j.LoggerFactory;
 
 /**
- * Ends the program with a message and an exit code of its own after an uncaught fatal error: memory
- * is exhausted, or a worker cannot continue. Everything it needs is allocated in advance. For any
- * thread.
+ * Ends the program with a message and a distinct exit code when an uncaught error is fatal, that
+ * is, when memory is exhausted or a worker cannot continue. All required resources are allocated in
+ * advance. Thread-safe.
  */
 public final class FatalExit implements Thread.UncaughtExceptionHandler {
 
-  /** The program's exit code. Documented: EX_SOFTWARE of sysexits.h, an error in the program. */
+  /**
+   * Exit code of the program after a fatal error. Documented: EX_SOFTWARE of sysexits.h, which
+   * means an error in the program.
+   */
   public static final int CODE = 70;
 
-  /** How long files and sockets may take to be closed [ns]. Decided. */
+  /** Maximum time for closing files and sockets during the exit [ns]. Decided. */
   private static final long PATIENCE_NANOS = 5_000_000_000L;
 
   private static final byte[] OUT_OF_MEMORY =
@@ -24,7 +27,8 @@ public final class FatalExit implements Thread.UncaughtExceptionHandler {
               + MemoryAdvice.COMMAND
               + ".");
   private static final byte[] BROKEN =
-      line("The simulator ends after an error that it cannot go on from; please report this.");
+      line(
+          "The simulator ends because of an error from which it cannot recover; please report it.");
 
   private final StandardError standardError = new StandardError();
   private final AtomicBoolean ending = new AtomicBoolean();
@@ -33,11 +37,11 @@ public final class FatalExit implements Thread.UncaughtExceptionHandler {
   private final IntConsumer halt;
 
   /**
-   * Does nothing yet.
+   * Creates a handler without installing it.
    *
-   * @param deadline is told that the end has begun
-   * @param exit ends the process with an exit code
-   * @param halt does so at once, and needs nothing for it
+   * @param deadline called when the exit begins
+   * @param exit ends the process in an orderly way, with an exit code
+   * @param halt ends the process immediately with an exit code, and needs no resources
    */
   FatalExit(Runnable deadline, IntConsumer exit, IntConsumer halt) {
     this.deadline = deadline;
@@ -46,12 +50,12 @@ public final class FatalExit implements Thread.UncaughtExceptionHandler {
   }
 
   /**
-   * Ends the process from now on when no memory is left or a worker cannot go on.
+   * Installs a handler that ends the process when memory is exhausted or a worker cannot continue.
    *
-   * @param flush writes what is still to be written; may fail
+   * @param flush writes buffered output; may fail
    */
   public static FatalExit install(Runnable flush) {
-    // a class that is loaded only when memory is full cannot be loaded any more
+    // loads the class now, because no class can be loaded once memory is exhausted
     Exceptions.isFatal(new StackOverflowError());
     ExitDeadline deadline = new ExitDeadline(CODE, PATIENCE_NANOS);
     FatalExit installed =
@@ -65,16 +69,18 @@ public final class FatalExit implements Thread.UncaughtExceptionHandler {
     try {
       if (Worker.owns(thread) || Exceptions.isFatal(failure)) {
         end(thread, failure);
-      } else if (!shuttingDown()) { // or toolkits fail in threads that have not heard of the end
+      } else if (!shuttingDown()) { // toolkit threads may fail during the shutdown
         LoggerFactory.getLogger(FatalExit.class).error("Unexpected, please report it", failure);
       }
-    } catch (Throwable another) { // there is no memory even for the end
+    } catch (Throwable another) { // not even enough memory for the exit
       standardError.write(OUT_OF_MEMORY);
       halt.accept(CODE);
     }
   }
 
-  /** Whether the virtual machine ends: only then it refuses to forget a hook. */
+  /**
+   * Returns whether the JVM is shutting down. Only then does it refuse to remove a shutdown hook.
+   */
   private static boolean shuttingDown() {
     try {
       Runtime.getRuntime().removeShutdownHook(Thread.currentThread());
@@ -84,7 +90,7 @@ public final class FatalExit implements Thread.UncaughtExceptionHandler {
     }
   }
 
-  /** Ends the process, unless another thread does so already. */
+  /** Ends the process, unless another thread is already ending it. */
   public void end(Thread thread, Throwable failure) {
     if (!ending.compareAndSet(false, true)) {
       return;
@@ -98,7 +104,7 @@ public final class FatalExit implements Thread.UncaughtExceptionHandler {
     try {
       flush.run();
     } catch (Throwable another) {
-      // what matters is the end
+      // the exit is more important than this failure
     }
     System.exit(code);
   }
@@ -109,7 +115,7 @@ public final class FatalExit implements Thread.UncaughtExceptionHandler {
     }
     try {
       return line(
-          "The simulator ends after an error that it cannot go on from; please report this: "
+          "The simulator ends because of an error from which it cannot recover; please report this: "
               + thread.getName()
               + ", "
               + failure.toString().replaceAll("\\p{C}", "?"));

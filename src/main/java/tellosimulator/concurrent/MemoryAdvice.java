@@ -1,12 +1,15 @@
 package tellosimulator.concurrent;
 
-/** What to do when memory is full. Made while there is memory. For any thread. */
+/** The advice to users when memory is exhausted. Created while memory is still available. */
 final class MemoryAdvice {
 
-  /** The least heap that is advised [MB]. Decided: everything but long recordings fits. */
+  /**
+   * Minimum heap size that the advice suggests [MB]. Decided: enough for everything except long
+   * recordings.
+   */
   private static final long LEAST = 256;
 
-  /** A command with twice the heap that this process has. */
+  /** A command that starts the program with twice the heap of this process. */
   static final String COMMAND =
       "java -Xmx"
           + Math.max(LEAST, 2 * (Runtime.getRuntime().maxMemory() >> 20))

@@ -5,19 +5,19 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 
 /**
- * The process's standard error, past all buffers and the log: takes no memory, so it works where
- * there is none left. For any thread.
+ * The standard error of the process, bypassing all buffers and the log. It allocates nothing, so
+ * that it works when memory is exhausted. Thread-safe.
  */
 public final class StandardError {
 
   private final FileOutputStream stream = new FileOutputStream(FileDescriptor.err);
 
-  /** Writes a line that was made beforehand, and loses it if standard error is closed. */
+  /** Writes a line that was created in advance. If standard error is closed, the line is lost. */
   public void write(byte[] line) {
     try {
       stream.write(line);
     } catch (IOException e) {
-      // nobody is left to be told
+      // the failure cannot be reported anywhere else
     }
   }
 }

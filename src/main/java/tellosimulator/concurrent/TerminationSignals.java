@@ -9,15 +9,16 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Takes the signals that ask the program to end, INT (Ctrl-C), TERM and HUP, until it is closed;
- * the Java machine would end at the first and take no second one. It goes through reflection, as
- * javac warns of each use of {@code sun.misc.Signal}, which has no successor. For one thread.
+ * Handles the signals that ask the program to end, namely INT (Ctrl-C), TERM and HUP, until this
+ * object is closed. Without a handler, the JVM would exit at the first signal. The class uses
+ * reflection, because javac warns about each use of {@code sun.misc.Signal}, which has no
+ * replacement. Not thread-safe.
  */
 public final class TerminationSignals implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(TerminationSignals.class);
 
-  /** Their numbers. Documented: POSIX. */
+  /** Signal numbers. Documented: POSIX. */
   private static final Map<String, Integer> NUMBERS = Map.of("HUP", 1, "INT", 2, "TERM", 15);
 
   private final Map<Object, Object> before = new LinkedHashMap<>();
@@ -25,10 +26,10 @@ public final class TerminationSignals implements AutoCloseable {
   private TerminationSignals() {}
 
   /**
-   * Takes them from now on, as far as the Java machine lets it; it has those that are ignored, and
-   * all of them with {@code -Xrs}.
+   * Starts to handle the signals as far as the JVM permits. The JVM permits no handler for a signal
+   * that is ignored, and none at all if it runs with {@code -Xrs}.
    *
-   * @param handler gets the number of each signal, on a thread of its own
+   * @param handler called with the number of each signal, on a thread of the JVM
    */
   public static TerminationSignals take(IntConsumer handler) {
     TerminationSignals taken = new TerminationSignals();
@@ -51,7 +52,7 @@ public final class TerminationSignals implements AutoCloseable {
           Class.forName("sun.misc.Signal").getConstructor(String.class).newInstance(name);
       before.put(signal, handle(signal, handler));
     } catch (ReflectiveOperationException e) {
-      LOG.debug("The signal {} is not taken", name, e);
+      LOG.debug("The handler for signal {} could not be installed", name, e);
     }
   }
 
@@ -70,7 +71,7 @@ public final class TerminationSignals implements AutoCloseable {
           try {
             handle(signal, handler);
           } catch (ReflectiveOperationException e) {
-            LOG.debug("The signal {} is not given back", signal, e);
+            LOG.debug("The previous handler for signal {} could not be restored", signal, e);
           }
         });
   }

@@ -8,38 +8,44 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Repeats an agent's work on a thread of its own until it is ended, in the manner of Agrona's agent
- * runner. Whatever the work throws is told in one sentence and then lies behind; a worker that
- * fails too often gives its failure to the handler for uncaught exceptions, and those who wait for
- * it find that it has ended. Its thread never keeps the program alive. For any thread.
+ * Repeats the work of an agent on a thread of its own until the worker is ended, like Agrona's
+ * agent runner. Any exception is logged in one line, and the worker continues. A worker that fails
+ * too often passes its failure to the handler for uncaught exceptions; callers that wait for the
+ * worker are notified that it has ended. The thread never keeps the program alive. Thread-safe.
  */
 public final class Worker implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(Worker.class);
 
   /**
-   * Pause after a failure, so that work which fails again and again does not take a whole processor
+   * Pause after a failure, so that work that fails repeatedly does not occupy a whole processor
    * [ns]. Decided.
    */
   private static final long BACK_OFF_NANOS = 10_000_000;
 
-  /** Between two sentences about failures of the same worker [ns]. Decided. */
+  /** Minimum time between two log messages about failures of the same worker [ns]. Decided. */
   private static final long QUIET_NANOS = 1_000_000_000;
 
-  /** What a failure adds to the leaky bucket; each piece of work that succeeds takes 1 away. */
+  /** The amount that a failure adds to a leaky bucket. Each successful piece of work removes 1. */
   private static final int FAILURE = 10;
 
-  /** What it adds where memory was full: then each try takes the processors for long, too. */
+  /**
+   * The amount that a failure adds when memory is exhausted. It is larger because each attempt then
+   * also keeps the processors busy for a long time.
+   */
   private static final int MEMORY_FULL = 40;
 
-  /** The bucket's size. Decided: 100 failures in a row, so at least a second. */
+  /** The capacity of the bucket. Decided: 100 failures in a row, which take at least a second. */
   private static final int LIMIT = 1000;
 
-  /** How long {@link #close} waits [ms]. Decided: longer than a picture takes on a busy machine. */
+  /**
+   * Maximum time for which {@link #close} waits [ms]. Decided: longer than rendering a picture
+   * takes on a busy machine.
+   */
   private static final long PATIENCE_MS = 10_000;
 
   private static final ErrorPolicy UNDECIDED =
-      ErrorPolicy.retry("What a thread does on errors failed");
+      ErrorPolicy.retry("The error handler of a thread failed");
   private static final ErrorPolicy UNCLOSED =
       ErrorPolicy.finish("What a thread does at its end failed");
 
@@ -48,7 +54,10 @@ public final class Worker implements AutoCloseable {
   private final CountDownLatch ended = new CountDownLatch(1);
   private volatile boolean closing;
 
-  /** Null unless it failed too often; not wrapped, as there may be no memory for that. */
+  /**
+   * The failure from which the worker could not recover, or null. It is not wrapped in an {@code
+   * Optional}, since there may be no memory for one.
+   */
   private volatile Throwable failure;
 
   private int bucket;
@@ -56,7 +65,7 @@ public final class Worker implements AutoCloseable {
   private long toldNanos;
   private long untold;
 
-  /** Marks the threads without which the program is not whole. */
+  /** A thread of a worker. The program cannot continue if an exception ends such a thread. */
   private static final class WorkerThread extends Thread {
     WorkerThread(Runnable work, String name) {
       super(work, name);
@@ -70,9 +79,9 @@ public final class Worker implements AutoCloseable {
   }
 
   /**
-   * Starts at once.
+   * Starts a worker.
    *
-   * @param name of the thread
+   * @param name the name of the thread
    */
   public static Worker start(String name, Agent agent) {
     Worker worker = new Worker(name, agent);
@@ -81,10 +90,10 @@ public final class Worker implements AutoCloseable {
   }
 
   /**
-   * Starts to do something once.
+   * Starts a worker that runs a task once.
    *
-   * @param name of the thread
-   * @param failed what is said if the task fails
+   * @param name the name of the thread
+   * @param failed the policy that applies if the task fails
    */
   public static Worker once(String name, ErrorPolicy failed, Runnable task) {
     return start(
@@ -103,33 +112,45 @@ public final class Worker implements AutoCloseable {
         });
   }
 
-  /** Whether a thread is a worker's; what such a thread does not catch ends the program. */
+  /**
+   * Returns whether a thread belongs to a worker. An exception that such a thread does not catch
+   * ends the program.
+   */
   static boolean owns(Thread thread) {
     return thread instanceof WorkerThread;
   }
 
-  /** Ends a parked {@link Agent#idle}, now or the next time. */
+  /**
+   * Wakes an agent that is parked in {@link Agent#idle}, or makes the next such call return
+   * immediately.
+   */
   public void wake() {
     LockSupport.unpark(thread);
   }
 
-  /** Whether nothing is done any more. */
+  /** Whether the worker has ended. */
   public boolean hasEnded() {
     return ended.getCount() == 0;
   }
 
-  /** What it could not go on from; for others than its own thread, once it has ended. */
+  /**
+   * Returns the failure from which the worker could not recover; empty if there is none. Other
+   * threads see the failure once the worker has ended.
+   */
   public Optional<Throwable> failure() {
     return Optional.ofNullable(failure);
   }
 
-  /** Ends it after what it does now, and does not wait. */
+  /** Makes the worker end after the work in progress. Does not wait for the end. */
   public void end() {
     closing = true;
     wake();
   }
 
-  /** Ends it and waits until it has ended; not for ever, and not on its own thread. */
+  /**
+   * Ends the worker and waits until it has ended, but only for a limited time. Does not wait if
+   * called on the worker's own thread.
+   */
   @Override
   public void close() {
     if (!close(PATIENCE_MS)) {
@@ -138,10 +159,11 @@ public final class Worker implements AutoCloseable {
   }
 
   /**
-   * Ends it.
+   * Ends the worker.
    *
-   * @param patienceMs how long to wait for that [ms]
-   * @return whether it has ended, or will as soon as this thread lets it
+   * @param patienceMs the maximum time to wait [ms]
+   * @return false if the worker has not ended in time; true if it has ended, if the wait was
+   *     interrupted, or if the call was made on the worker's own thread
    */
   boolean close(long patienceMs) {
     end();
@@ -178,12 +200,15 @@ public final class Worker implements AutoCloseable {
       }
       bucket = Math.max(0, bucket - 1);
       return outcome != Agent.Outcome.FINISHED;
-    } catch (Throwable thrown) { // errors too, or the thread would end in silence
+    } catch (Throwable thrown) { // errors as well, otherwise the thread would end silently
       return survives(thrown);
     }
   }
 
-  /** Makes nothing new: there may be no memory left. */
+  /**
+   * Returns whether the worker continues after a failure. Allocates nothing, since memory may be
+   * exhausted.
+   */
   private boolean survives(Throwable thrown) {
     ErrorPolicy policy = policy(thrown);
     tell(policy, thrown);

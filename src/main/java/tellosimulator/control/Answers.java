@@ -1,6 +1,5 @@
 package tellosimulator.control;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -9,24 +8,18 @@ import tellosimulator.junit.DroneTruth;
 import tellosimulator.junit.GoalStatus;
 import tellosimulator.junit.JournalEntry;
 import tellosimulator.junit.Position;
+import tellosimulator.junit.ScoreStatus;
 import tellosimulator.junit.SimulatedDrone;
 
-/** What the kit tells, as {@code Json} writes it: centimetres, degrees and seconds. */
+/**
+ * Converts values of the test kit to maps for {@code Json}, in centimetres, degrees and seconds.
+ */
 final class Answers {
 
   private Answers() {}
 
-  /** A row of names with their values. */
-  private static Map<String, Object> object(Object... members) {
-    Map<String, Object> object = new LinkedHashMap<>();
-    for (int i = 0; i < members.length; i += 2) {
-      object.put(String.valueOf(members[i]), members[i + 1]);
-    }
-    return object;
-  }
-
   static Map<String, Object> drone(SimulatedDrone drone) {
-    return object(
+    return Json.object(
         "drone", drone.number(),
         "host", drone.host(),
         "commandPort", drone.commandPort(),
@@ -35,12 +28,12 @@ final class Answers {
   }
 
   static Map<String, Object> truth(DroneTruth truth) {
-    return object(
-        "x", Json.rounded(truth.position().x()),
-        "y", Json.rounded(truth.position().y()),
-        "z", Json.rounded(truth.position().z()),
-        "height", Json.rounded(truth.height()),
-        "heading", Json.rounded(truth.heading()),
+    return Json.object(
+        "x", truth.position().x(),
+        "y", truth.position().y(),
+        "z", truth.position().z(),
+        "height", truth.height(),
+        "heading", truth.heading(),
         "battery", truth.battery(),
         "flying", truth.flying(),
         "landed", truth.landed(),
@@ -48,17 +41,17 @@ final class Answers {
         "takeoffs", truth.takeoffs(),
         "touched", truth.touched().stream().map(Answers::touch).toList(),
         "visited", truth.visited(),
-        "highest", Json.rounded(truth.highest()),
-        "farthest", Json.rounded(truth.farthest()),
+        "highest", truth.highest(),
+        "farthest", truth.farthest(),
         "start", place(truth.start()),
         "path", truth.path().stream().map(Answers::place).toList());
   }
 
   private static Map<String, Object> touch(DroneTruth.Touch touch) {
-    return object(
+    return Json.object(
         "what", touch.what(),
-        "seconds", Json.rounded(touch.seconds()),
-        "speed", Json.rounded(touch.speed()),
+        "seconds", touch.seconds(),
+        "speed", touch.speed(),
         "crash", touch.crash());
   }
 
@@ -67,10 +60,10 @@ final class Answers {
   }
 
   static Map<String, Object> entry(JournalEntry entry) {
-    return object(
+    return Json.object(
         "text", entry.text(),
         "sender", entry.sender().getAddress().getHostAddress() + ":" + entry.sender().getPort(),
-        "seconds", Json.rounded(entry.seconds()),
+        "seconds", entry.seconds(),
         "outcome", entry.outcome().name().toLowerCase(Locale.ROOT).replace('_', '-'),
         "reply", entry.reply(),
         "replies", entry.replies().stream().map(Answers::reply).toList(),
@@ -78,16 +71,28 @@ final class Answers {
   }
 
   private static Map<String, Object> reply(JournalEntry.Answer reply) {
-    return object("text", reply.text(), "delay", Json.rounded(reply.delay()));
+    return Json.object("text", reply.text(), "delay", reply.delay());
   }
 
   static Map<String, Object> goals(GoalStatus goals) {
-    return object(
+    return Json.object(
         "reached", goals.reached(),
         "failed", goals.failed(),
         "reason", goals.reason(),
         "done", goals.done(),
         "open", goals.open(),
-        "seconds", Json.rounded(goals.seconds()));
+        "seconds", goals.seconds(),
+        "score", goals.score().map(Answers::score));
+  }
+
+  private static Map<String, Object> score(ScoreStatus score) {
+    return Json.object(
+        "points", score.points(),
+        "of", score.of(),
+        "entries", score.entries().stream().map(Answers::entry).toList());
+  }
+
+  private static Map<String, Object> entry(ScoreStatus.Entry entry) {
+    return Json.object("seconds", entry.seconds(), "points", entry.points(), "why", entry.why());
   }
 }

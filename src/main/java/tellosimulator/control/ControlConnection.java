@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.util.LinkedHashMap;
+import java.security.MessageDigest;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -15,13 +15,13 @@ import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.json.Json;
 
 /**
- * Takes a client's requests, one a line, and answers each before it takes the next. It ends with
- * the client, and after a request with a wrong token. For the thread of its worker, but for {@link
- * #close}.
+ * Reads a client's requests, one per line, and answers each request before it reads the next. The
+ * connection ends when the client disconnects, or after a request with a wrong token. Confined to
+ * the thread of its worker, except for {@link #close}.
  */
 final class ControlConnection implements Agent {
 
-  /** Longest request [bytes]. Decided. */
+  /** Maximum length of a request [bytes]. Decided. */
   static final int LONGEST_LINE = 64 * 1024;
 
   private static final String EXAMPLE = "{\"id\": 1, \"token\": \"…\", \"do\": \"truth\"}";
@@ -33,15 +33,17 @@ final class ControlConnection implements Agent {
   private final ErrorPolicy gone = ErrorPolicy.finish("A client of the control channel is gone");
   private final Socket socket;
   private final InputStream in;
-  private final AccessToken token;
+  private final String token;
   private final Requests requests;
   private final Consumer<ControlConnection> ended;
 
   /**
-   * @param ended is told when it has ended
+   * Creates a connection without reading from it.
+   *
+   * @param ended called when the connection has ended
    */
   ControlConnection(
-      Socket socket, AccessToken token, Requests requests, Consumer<ControlConnection> ended)
+      Socket socket, String token, Requests requests, Consumer<ControlConnection> ended)
       throws IOException {
     this.socket = socket;
     this.in = new BufferedInputStream(socket.getInputStream());
@@ -92,7 +94,7 @@ final class ControlConnection implements Agent {
       return Outcome.WORKED;
     }
     Optional<Object> id = Optional.ofNullable(request.get("id"));
-    if (!(request.get("token") instanceof String said && token.is(said))) {
+    if (!(request.get("token") instanceof String said && isToken(said))) {
       String what = request.containsKey("token") ? "wrong" : "missing";
       refuse(socket, id, WRONG_TOKEN.replace("%s", what));
       return Outcome.FINISHED;
@@ -108,25 +110,26 @@ final class ControlConnection implements Agent {
     return Outcome.WORKED;
   }
 
-  private void accept(Optional<Object> id, Object result) throws IOException {
-    Map<String, Object> answer = new LinkedHashMap<>();
-    answer.put("id", id.orElse(null));
-    answer.put("ok", true);
-    answer.put("result", result);
-    send(socket, answer);
+  /**
+   * Returns whether a text is the token. The comparison takes the same time for all texts of the
+   * same length.
+   */
+  private boolean isToken(String said) {
+    return MessageDigest.isEqual(
+        token.getBytes(StandardCharsets.UTF_8), said.getBytes(StandardCharsets.UTF_8));
   }
 
-  /** Says what is wrong with something of which no more is known. */
+  private void accept(Optional<Object> id, Object result) throws IOException {
+    send(socket, Json.object("id", id.orElse(null), "ok", true, "result", result));
+  }
+
+  /** Sends an error response without a request id. */
   static void refuse(Socket socket, String why) throws IOException {
     refuse(socket, Optional.empty(), why);
   }
 
   private static void refuse(Socket socket, Optional<Object> id, String why) throws IOException {
-    Map<String, Object> answer = new LinkedHashMap<>();
-    answer.put("id", id.orElse(null));
-    answer.put("ok", false);
-    answer.put("error", why);
-    send(socket, answer);
+    send(socket, Json.object("id", id.orElse(null), "ok", false, "error", why));
   }
 
   private static void send(Socket socket, Map<String, Object> answer) throws IOException {
@@ -144,12 +147,12 @@ final class ControlConnection implements Agent {
     ended.accept(this);
   }
 
-  /** Ends it; a request that waits for something ends when its time is over. For any thread. */
+  /** Closes the connection. A request in progress is not cancelled. Thread-safe. */
   void close() {
     try {
       socket.close();
     } catch (IOException e) {
-      // it is closed
+      // already closed
     }
   }
 }

@@ -5,6 +5,8 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.security.SecureRandom;
+import java.util.HexFormat;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import tellosimulator.concurrent.Agent;
@@ -14,31 +16,46 @@ import tellosimulator.junit.TelloSimulator;
 import tellosimulator.network.PortTakenException;
 
 /**
- * Lets programs of this machine look behind the wire and do what a test may do, if they know the
- * token. For any thread.
+ * The server of the control channel, through which programs inspect and control the simulation. The
+ * programs must run on this machine and know the token. Thread-safe.
  */
 public final class ControlServer implements AutoCloseable {
 
-  /** Clients at a time. Decided: tests that run beside each other, and a person who looks. */
+  /**
+   * Maximum number of clients. Decided: enough for tests that run in parallel and a user who
+   * watches.
+   */
   static final int MOST_CONNECTIONS = 8;
 
-  /** Clients that may wait to be accepted. Decided. */
+  /** Length of the token [bytes]. Decided: 128 bits cannot be guessed. */
+  private static final int TOKEN_BYTES = 16;
+
+  /** Maximum number of clients waiting to be accepted. Decided. */
   private static final int BACKLOG = 16;
 
   private final ServerSocket server;
-  private final AccessToken token = AccessToken.random();
+
+  /**
+   * The secret that each request must contain, because every user of a machine can connect to its
+   * loopback interface.
+   */
+  private final String token;
+
   private final Requests requests;
   private final Set<ControlConnection> connections = ConcurrentHashMap.newKeySet();
   private final Worker acceptor;
 
   /**
-   * Listens at once.
+   * Creates a server that listens immediately.
    *
-   * @param port 0 for one that the system chooses
-   * @throws PortTakenException if the port cannot be had
+   * @param port the port; 0 lets the system choose
+   * @throws PortTakenException if the port cannot be opened
    */
   public ControlServer(TelloSimulator simulator, int port) throws PortTakenException {
     requests = new Requests(simulator);
+    byte[] secret = new byte[TOKEN_BYTES];
+    new SecureRandom().nextBytes(secret);
+    token = HexFormat.of().formatHex(secret);
     InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
     try {
       server = new ServerSocket(port, BACKLOG, address.getAddress());
@@ -48,7 +65,7 @@ public final class ControlServer implements AutoCloseable {
     acceptor = Worker.start("control", new Acceptor());
   }
 
-  /** Gives each client a thread of its own. */
+  /** Accepts clients and starts a thread for each of them. */
   private final class Acceptor implements Agent {
 
     private final ErrorPolicy failed =
@@ -86,21 +103,21 @@ public final class ControlServer implements AutoCloseable {
       }
       return;
     }
-    socket.setTcpNoDelay(true); // each answer is waited for
+    socket.setTcpNoDelay(true); // clients wait for each answer
     ControlConnection connection =
         new ControlConnection(socket, token, requests, connections::remove);
     connections.add(connection);
     Worker.start("control client", connection);
   }
 
-  /** The line that says where it listens, and the token, for scripts that wait for it. */
+  /** Returns the line that contains the address and the token. Scripts wait for this line. */
   public String line() {
     return "control: "
         + server.getInetAddress().getHostAddress()
         + ":"
         + port()
         + " token "
-        + token();
+        + token;
   }
 
   int port() {
@@ -108,17 +125,17 @@ public final class ControlServer implements AutoCloseable {
   }
 
   String token() {
-    return token.text();
+    return token;
   }
 
-  /** Ends all connections. */
+  /** Closes the server and all connections. */
   @Override
   public void close() {
     acceptor.end();
     try {
       server.close();
     } catch (IOException e) {
-      // it is closed
+      // already closed
     }
     acceptor.close();
   }

@@ -5,14 +5,17 @@ import java.util.Map;
 import tellosimulator.command.WireText;
 
 /**
- * What a request says besides what is to be done. Each method throws {@code
- * IllegalArgumentException} with a sentence, if a value is missing or of another kind. Immutable.
+ * The parameters of a request. Each method throws {@code IllegalArgumentException} with one
+ * sentence as its message if a value is missing or of the wrong type. Immutable.
  *
- * @param of the request's name
+ * @param of the name of the request
  */
 record Parameters(String of, Map<String, Object> values) {
 
-  /** Longest time that a request may let pass or wait [s]. Decided: an hour. */
+  /**
+   * Maximum time by which a request may advance the simulation, or for which it may wait [s].
+   * Decided: an hour.
+   */
   private static final double LONGEST = 3600;
 
   Parameters {
@@ -43,7 +46,7 @@ record Parameters(String of, Map<String, Object> values) {
     throw wrong(name, "true or false", value);
   }
 
-  /** The number of a drone; the first one, if there is none. */
+  /** Returns the number of the drone; 1 if the request contains none. */
   int drone() {
     Object value = values.getOrDefault("drone", 1L);
     if (value instanceof Long number && number == number.intValue()) {

@@ -14,13 +14,13 @@ import tellosimulator.junit.SimulatedDrone;
 import tellosimulator.junit.TelloSimulator;
 import tellosimulator.words.Spelling;
 
-/** The table of what can be asked: name, parameters, what it does. For any thread. */
+/** The table of requests: name, parameters and action. Thread-safe. */
 final class Requests {
 
-  /** What stands beside the parameters. */
+  /** The members of a request that are not parameters. */
   private static final Set<String> ENVELOPE = Set.of("id", "token", "do");
 
-  /** How long is waited unless told otherwise [s]. Decided: as the kit does. */
+  /** Default timeout [s]. Decided: the same as in the test kit. */
   private static final double PATIENCE = 30;
 
   private final Map<String, Request> table = new LinkedHashMap<>();
@@ -88,17 +88,19 @@ final class Requests {
         });
   }
 
-  /** The names, in order. */
+  /** Returns the names of all requests, in the order of the table. */
   List<String> names() {
     return List.copyOf(table.keySet());
   }
 
   /**
-   * Does what is asked, and returns the result once it is done.
+   * Executes a request and returns its result once it is complete.
    *
-   * @throws IllegalArgumentException with a sentence, if the request makes no sense
-   * @throws IllegalStateException with a sentence, if it cannot be done now
-   * @throws AssertionError with a sentence in its first line, if what is waited for does not come
+   * @throws IllegalArgumentException if the request is invalid; the message is one sentence
+   * @throws IllegalStateException if the request cannot be executed now; the message is one
+   *     sentence
+   * @throws AssertionError if an awaited condition does not occur; the first line of the message is
+   *     a sentence
    */
   Object result(Map<String, Object> request) {
     if (!(request.get("do") instanceof String name)) {
@@ -111,9 +113,8 @@ final class Requests {
           "there is no request `"
               + WireText.printable(name)
               + "`"
-              + Spelling.meant(name, table.keySet())
-                  .map(meant -> ", did you mean " + meant + "?")
-                  .orElse("; there are " + String.join(", ", table.keySet())));
+              + Spelling.hint(
+                  name, table.keySet(), "; there are " + String.join(", ", table.keySet())));
     }
     Map<String, Object> parameters = new LinkedHashMap<>(request);
     parameters.keySet().removeAll(ENVELOPE);
@@ -133,9 +134,7 @@ final class Requests {
             + " has no parameter `"
             + WireText.printable(parameter)
             + "`"
-            + Spelling.meant(parameter, all)
-                .map(meant -> ", did you mean " + meant + "?")
-                .orElse(those));
+            + Spelling.hint(parameter, all, those));
   }
 
   private SimulatedDrone drone(Parameters parameters) {

@@ -1,10 +1,10 @@
 /**
- * The control channel: what the test kit offers to Java, for tests in other languages. {@link
- * tellosimulator.control.ControlServer} takes JSON lines over TCP on loopback, one request a line,
- * and gives one answer for each; {@code Requests} is the table of what can be asked. Each
- * connection has a thread of its own.
+ * The control channel, which offers the functions of the Java test kit to tests in other languages.
+ * {@link tellosimulator.control.ControlServer} accepts JSON lines over TCP on loopback, one request
+ * per line, and sends one answer for each. {@code Requests} is the table of requests. Each
+ * connection has its own thread.
  *
- * <p>All of it is done by {@code junit.TelloSimulator}, without any framework. Nothing of it is
- * ever on a drone's wire, and no drone's command is taken here.
+ * <p>All requests are executed by {@code junit.TelloSimulator}, without a test framework. The
+ * control channel never sends or receives the datagrams of a drone.
  */
 package tellosimulator.control;

@@ -11,36 +11,46 @@ import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
- * Flies the present maneuver, with the sticks of {@code rc} on top, and says when it is over. For
- * one drone and the simulation thread.
+ * Flies the current maneuver, adds the movement that the sticks of {@code rc} demand, and
+ * determines the outcome of the maneuver. One instance per drone, confined to the simulation
+ * thread.
  */
 final class Autopilot {
 
-  /** What has become of a maneuver. */
+  /** The outcome of a maneuver. */
   enum Outcome {
     RUNNING,
     ARRIVED,
-    /** Something stood in the way for a second. Decided. */
+    /** An obstacle has blocked the drone for a second. Decided. */
     HELD,
-    /** The drone did not come to rest. */
+    /** The drone has not settled on its target in time. */
     RESTLESS,
-    /** The maneuver cannot be flown to its end. */
+    /** The maneuver cannot be completed. */
     LOST
   }
 
-  /** How far the target may lie inside an obstacle before the drone waits [m]. Assumed. */
+  /**
+   * The plan waits for a drone that touches an obstacle and is farther than this from its target
+   * [m]. Assumed.
+   */
   private static final double LEASH = 0.3;
 
-  /** How far the target lies inside what it leans against at the least [m]: not yet arrived. */
+  /**
+   * A drone leans on the touched object if its target is deeper than this inside the object [m].
+   * Decided: the distance from the target within which a drone counts as settled.
+   */
   private static final double LEANING_LAG = 0.006;
 
-  /** By how much a maneuver may miss its end at the most [standard deviations]. Assumed. */
+  /** Maximum error at the end of a maneuver [standard deviations]. Assumed. */
   private static final double MOST_SIGMAS = 3;
 
-  /** How long it leans against something before it gives up [s]. Decided. */
+  /** Time for which the drone leans on an object before the maneuver is abandoned [s]. Decided. */
   private static final double LEANING = 1;
 
-  /** A target missed by less is where the next maneuver starts from [m, rad]. Assumed. */
+  /**
+   * Maximum distance between target and actual pose at which the next maneuver starts from the
+   * target instead of the actual pose [m, rad]. Assumed.
+   */
   private static final double ON_TARGET = 0.02;
 
   private final Behavior behavior;
@@ -69,17 +79,17 @@ final class Autopilot {
     settling.restart();
   }
 
-  /** How the target moves away by itself from now on, room frame [m/s]. */
+  /** Sets the drift velocity of the target, in the room frame [m/s]. */
   void drift(Vec3 velocity) {
     drift = velocity;
   }
 
-  /** Whether the target moves by itself. */
+  /** Whether the target drifts. */
   boolean drifts() {
     return !drift.equals(Vec3.ZERO);
   }
 
-  /** Motors off. */
+  /** Switches the motors off. */
   void park() {
     fly(new Parked());
     setpoint = new Setpoint.MotorsOff();
@@ -94,7 +104,10 @@ final class Autopilot {
     return setpoint;
   }
 
-  /** Where a maneuver starts: the last target if the drone is on it, else where it is. */
+  /**
+   * Returns the start of a new maneuver: the last target if the drone is on it, otherwise the
+   * drone's position.
+   */
   Vec3 basePosition(Motion motion) {
     return setpoint instanceof Setpoint.Track track
             && !touched
@@ -103,7 +116,7 @@ final class Autopilot {
         : motion.position();
   }
 
-  /** The heading from which a maneuver starts [rad]. */
+  /** Returns the initial heading of a new maneuver [rad]. */
   double baseHeading(Motion motion) {
     double heading = motion.attitude().heading();
     return setpoint instanceof Setpoint.Track track
@@ -120,11 +133,12 @@ final class Autopilot {
   }
 
   /**
-   * Looks at what the step has made of the target. Where sticks, drift or a miss have moved it into
-   * what the drone touches, it moves back, so that only the maneuver itself leans against that.
+   * Evaluates the result of a step. The sticks, a drift or the simulated positioning error can move
+   * the target into the touched object. This method undoes that part of the shift, so that the
+   * drone leans on the object only if the maneuver itself leads into the object.
    *
-   * @param contactNormal of what it touches; zero if it touches nothing
-   * @param pushed whether wind pushes it
+   * @param contactNormal the normal of the touched surface; zero if there is none
+   * @param pushed whether wind pushes the drone
    */
   void observe(Motion motion, Vec3 contactNormal, boolean pushed) {
     touched = !contactNormal.equals(Vec3.ZERO);
@@ -168,14 +182,14 @@ final class Autopilot {
     return maneuver.leavesHoverHeights() ? wanted : withinHeights(wanted, motion, seconds);
   }
 
-  /** Moves the target as the sticks ask for. */
+  /** Moves the target according to the sticks. */
   private void follow(Motion motion, double planned, double seconds) {
     turn += rc.yawRate() * seconds;
     Vec3 velocity = allowed(rc.velocity()).turned(planned + turn);
     move(velocity, motion, seconds);
   }
 
-  /** Moves the target, but not away from a drone that something holds. */
+  /** Moves the target, but not further away from a blocked drone. */
   private void move(Vec3 velocity, Motion motion, double seconds) {
     Vec3 lag = lag(motion);
     boolean runsAway = touched && lag.norm() > LEASH && lag.dot(velocity) > 0;
@@ -184,13 +198,16 @@ final class Autopilot {
     }
   }
 
-  /** What the sticks may add: a takeoff is not pushed back to the ground. */
+  /**
+   * Returns the velocity that the sticks may add. They cannot lower the target during a takeoff or
+   * a flip.
+   */
   private Vec3 allowed(Vec3 asked) {
     boolean down = rc.velocity().z() < 0 && maneuver.leavesHoverHeights();
     return down ? asked.horizontal() : asked;
   }
 
-  /** The target with what the sticks have added to it. */
+  /** Returns the target after it has been shifted by the sticks and by a drift. */
   private Setpoint.Track shifted(Setpoint.Track track) {
     double heading = track.heading().angle() + turn;
     Setpoint.Track shifted =
@@ -210,8 +227,8 @@ final class Autopilot {
   }
 
   /**
-   * The target, kept within the heights in which a drone hovers and braked before it gets there.
-   * What the sticks asked for in vain is forgotten.
+   * Returns the target, limited to the hover heights. The target slows down in time to stop at a
+   * limit. The part of the sticks' offset that has no effect because of a limit is discarded.
    */
   private Setpoint.Track withinHeights(Setpoint.Track track, Motion motion, double seconds) {
     double wanted = track.position().z();
@@ -237,7 +254,10 @@ final class Autopilot {
         track.heading());
   }
 
-  /** The height nearest to {@code wanted} from which it can still brake before the limits [m]. */
+  /**
+   * Returns the height nearest to {@code wanted} from which the drone can still brake before it
+   * reaches a limit [m].
+   */
   private double reachableHeight(double wanted, double last, double seconds) {
     double lowest = behavior.lowestHover();
     double highest = DroneSpec.MAX_HEIGHT;
@@ -247,12 +267,12 @@ final class Autopilot {
     return Math.max(lowest, Math.min(highest, reachable));
   }
 
-  /** The speed that can be lost over a distance [m/s]. */
+  /** Returns the highest speed from which the drone can brake within a distance [m/s]. */
   private static double brakingSpeed(double distance) {
     return Math.sqrt(2 * DroneSpec.HARD_BRAKING * Math.max(0, distance));
   }
 
-  /** Motors off. Has no end. */
+  /** A maneuver that keeps the motors off and never ends. */
   private static final class Parked implements Maneuver {
 
     @Override

@@ -15,25 +15,32 @@ import tellosimulator.world.Collision;
 import tellosimulator.world.Surface;
 
 /**
- * What a drone touches in a step, and what people are told of it: one event for the beginning of a
- * contact and one for its end. For one drone and the simulation thread.
+ * Tracks the objects that a drone touches, and reports the beginning and the end of each contact in
+ * one event each. One instance per drone, confined to the simulation thread.
  */
 final class Contacts {
 
-  /** So far away from what it touched, a drone has parted from it [m]. Decided. */
+  /** Clearance from the touched object at which a contact ends [m]. Decided. */
   private static final double CLEARANCE = 0.03;
 
-  /** Past the edge of a thing it has parted from it when this far from the last touch [m], … */
+  /**
+   * Distance from the last touch [m]. Beyond this distance, a contact ends once {@link #APART} has
+   * passed, because the drone has moved past an edge of the object.
+   */
   private static final double PASSED = 0.1;
 
-  /** … and after this time without a touch [s]. Decided: a drone that leans shivers. */
+  /**
+   * Time since the last touch [s] after which the contact of a drone beyond {@link #PASSED} ends.
+   * Decided: long enough to bridge the gaps between touches of a drone that trembles while it leans
+   * on an object.
+   */
   private static final double APART = 2;
 
   /**
-   * A contact while it lasts.
+   * A current contact.
    *
-   * @param since the first touch
-   * @param last the last touch
+   * @param since the time of the first touch
+   * @param last the time of the last touch
    */
   private record Contact(SimTime since, SimTime last, Collision collision) {
 
@@ -51,23 +58,25 @@ final class Contacts {
   private SimTime now = SimTime.ZERO;
 
   /**
-   * @param crashSpeed above which a touch is a crash, and no contact [m/s]
+   * Creates a tracker without contacts.
+   *
+   * @param crashSpeed the speed above which a touch is a crash instead of a contact [m/s]
    */
   Contacts(FlightObserver observer, double crashSpeed) {
     this.observer = observer;
     this.crashSpeed = crashSpeed;
   }
 
-  /** A step begins. */
+  /** Begins a step. */
   void next(SimTime time) {
     now = time;
     present.clear();
   }
 
   /**
-   * Something stopped the drone in this step.
+   * Adds a collision that stopped the drone in this step.
    *
-   * @param flying whether its motors carried it
+   * @param flying whether the drone flew with its motors running
    */
   void add(Collision collision, boolean flying) {
     present.add(collision);
@@ -76,7 +85,7 @@ final class Contacts {
     }
   }
 
-  /** Tells of contacts that have come to their end now that the drone is at {@code position}. */
+  /** Reports the end of the contacts that are over, now that the drone is at {@code position}. */
   void part(Vec3 position) {
     for (Iterator<Contact> each = contacts.values().iterator(); each.hasNext(); ) {
       Contact contact = each.next();
@@ -87,7 +96,7 @@ final class Contacts {
     }
   }
 
-  /** The flight is over, and so are all contacts. */
+  /** Reports the end of all contacts, because the flight is over. */
   void partFromAll() {
     contacts.values().forEach(this::tellEnd);
     contacts.clear();
@@ -103,7 +112,7 @@ final class Contacts {
     return present.stream().anyMatch(Collision::onGround);
   }
 
-  /** What the drone stands on; the floor if it stands on nothing else. */
+  /** Returns the object on which the drone stands; the floor if there is no other. */
   Collidable ground() {
     return present.stream()
         .filter(Collision::onGround)
@@ -112,7 +121,10 @@ final class Contacts {
         .orElse(Surface.FLOOR);
   }
 
-  /** What is in its way; what it stands on is not. */
+  /**
+   * Returns the collision with an obstacle in the drone's way, if any. The ground below the drone
+   * is not an obstacle.
+   */
   Optional<Collision> obstacle() {
     return present.stream().filter(collision -> !collision.onGround()).findFirst();
   }

@@ -1,8 +1,6 @@
 package tellosimulator.controller;
 
-import java.util.function.Consumer;
 import java.util.function.Supplier;
-import tellosimulator.command.OperatorSession;
 import tellosimulator.fault.ActiveFaults;
 import tellosimulator.model.DroneModel;
 import tellosimulator.profile.Behavior;
@@ -10,14 +8,13 @@ import tellosimulator.profile.Profile;
 import tellosimulator.sensor.SeededNoise;
 
 /**
- * What a controller works with: its drone, what is known of it, and who is told.
+ * The parts that a controller works with.
  *
- * @param crashSpeed above which a touch is a crash [m/s]
- * @param landsWhenSilent whether it lands by itself when no command comes
- * @param observer is told what happens to the drone
- * @param faults what goes wrong at the moment
- * @param operatorChanged is told when another operator has taken over, before it is answered
- * @param forgetLink called when the power goes
+ * @param crashSpeed the speed above which a touch is a crash [m/s]
+ * @param landsWhenSilent whether the drone lands automatically when no command arrives
+ * @param observer notified of the drone's flight events
+ * @param faults the currently active faults
+ * @param sessionEnded called when the drone loses power, or when its operator session is ended
  */
 public record ControllerContext(
     DroneModel model,
@@ -25,10 +22,7 @@ public record ControllerContext(
     Behavior behavior,
     double crashSpeed,
     boolean landsWhenSilent,
-    OperatorSession session,
     SeededNoise noise,
-    ReadReplies reads,
     FlightObserver observer,
     Supplier<ActiveFaults> faults,
-    Consumer<OperatorSession.Takeover> operatorChanged,
-    Runnable forgetLink) {}
+    Runnable sessionEnded) {}

@@ -1,39 +1,35 @@
 package tellosimulator.controller;
 
 import java.util.Optional;
-import tellosimulator.command.Command;
-import tellosimulator.command.CommandTarget;
-import tellosimulator.command.Direction;
-import tellosimulator.command.OperatorSession;
-import tellosimulator.command.Reply;
-import tellosimulator.command.Responder;
 import tellosimulator.controller.FlightEvent.Fell;
 import tellosimulator.controller.FlightEvent.Note;
 import tellosimulator.controller.FlightEvent.PutBack;
+import tellosimulator.extension.LightOrder;
+import tellosimulator.math.Arc;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.Battery;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.physics.Setpoint;
-import tellosimulator.time.Demand;
+import tellosimulator.time.PendingWork;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Collision;
 
 /**
- * Executes the commands of one drone: all flight logic except how maneuvers are flown. For the
- * simulation thread.
+ * Carries out orders to one drone, regardless of the protocol through which they arrived. Checks
+ * whether an order is possible, and leaves flights to {@code Flight}. Confined to the simulation
+ * thread.
  */
-public final class DroneController implements CommandTarget {
+public final class DroneController {
 
   private final ControllerContext context;
   private final DroneModel model;
-  private final OperatorSession session;
   private final FlightObserver observer;
   private final Flight flight;
   private final FaultEffects faultEffects;
-  private final Restart restart = new Restart();
+  private final Reboot restart = new Reboot();
   private final PathPlanner planner;
   private final PadMissions padMissions;
   private final Equipment equipment;
@@ -43,16 +39,15 @@ public final class DroneController implements CommandTarget {
   public DroneController(ControllerContext context) {
     this.context = context;
     this.model = context.model();
-    this.session = context.session();
     this.observer = context.observer();
     this.flight = new Flight(context);
     this.faultEffects = new FaultEffects(context, flight);
     this.planner = new PathPlanner(context, flight);
     this.padMissions = new PadMissions(model, flight, planner);
-    this.equipment = new Equipment(model, context.profile(), context.session(), observer);
+    this.equipment = new Equipment(model, context.profile());
   }
 
-  // --- what the simulation calls in a step ---
+  // --- called by the simulation in a step ---
 
   /** Sets the targets of the step that ends at {@code time}. */
   public void plan(SimTime time) {
@@ -63,44 +58,47 @@ public final class DroneController implements CommandTarget {
     }
   }
 
-  /** What the motors shall achieve in this step. */
+  /** Returns the setpoint of the motors for this step. */
   public Setpoint setpoint() {
     return flight.setpoint();
   }
 
-  /** Something stopped the drone. */
+  /** Handles a collision that stopped the drone. */
   public void touch(Collision collision) {
     flight.touch(collision);
   }
 
-  /** Ends what has come to its end, and answers. */
+  /** Completes the order whose maneuver has ended, if any. */
   public void finish() {
     flight.finish();
   }
 
-  /** Safety landing, low battery, restart. */
+  /** Checks whether the drone must land or restart, and applies the effects of faults. */
   public void watchOver() {
     faultEffects.advance(now, restart);
     flight.watchOver();
     restart.advance(now, this::powerOff, this::powerOn);
   }
 
-  /** It has answered {@code ok}. */
+  /**
+   * Records that the drone has replied {@code ok}. The fault {@code not-joystick} depends on the
+   * time of the last reply.
+   */
   public void saidOk() {
     faultEffects.provoke(now);
   }
 
-  /** Whether somebody waits for the answer to a command. */
+  /** Whether a client is waiting for the reply to a command. */
   public boolean answers() {
     return flight.answers();
   }
 
-  /** Why time must pass for it. */
-  public Demand demand() {
-    return restart.pending() ? Demand.DEBT : flight.demand();
+  /** Returns the reason why simulated time must pass for this drone. */
+  public PendingWork demand() {
+    return restart.pending() ? PendingWork.REPLY : flight.demand();
   }
 
-  // --- what people do to the drone ---
+  // --- controls ---
 
   public void powerOn() {
     if (model.phase() == FlightPhase.OFF) {
@@ -111,7 +109,7 @@ public final class DroneController implements CommandTarget {
     }
   }
 
-  /** Power goes: in the air the drone falls. */
+  /** Switches the drone off. An airborne drone falls. */
   public void powerOff() {
     restart.forget();
     if (model.phase() == FlightPhase.OFF) {
@@ -123,11 +121,11 @@ public final class DroneController implements CommandTarget {
     flight.reset();
     speed = DroneSpec.DEFAULT_SPEED;
     model.powerOff();
-    context.forgetLink().run();
+    context.sessionEnded().run();
     observer.happened(new Note(Phrase.of("is off")));
   }
 
-  /** Back to the start, as if it had just been put there. */
+  /** Puts the drone back at its start, as if newly placed there. */
   public void reset() {
     flight.reset();
     model.reset();
@@ -136,98 +134,105 @@ public final class DroneController implements CommandTarget {
   }
 
   /**
-   * Lands it, unless it stands or lands already; a caller that waits gets no answer.
-   *
-   * @param reason for people
+   * Lands the drone because its program has ended, unless it is already on the ground or landing. A
+   * client that is waiting gets no reply.
    */
-  public void landByItself(Phrase reason) {
-    flight.landByItself(reason);
+  public void landAtEndOfProgram() {
+    flight.landByItself(
+        Phrase.of("the program has ended"), FlightEvent.LandingCause.END_OF_PROGRAM);
   }
 
-  /** Forgets SDK mode and films no more; a flight goes on until the safety landing. */
+  /**
+   * Stops the video, and ends the session that the protocols share. The drone continues its flight
+   * until the safety landing.
+   */
   public void endSession() {
     model.setVideo(model.video().stopped());
-    context.forgetLink().run();
+    context.sessionEnded().run();
   }
 
-  // --- CommandTarget ---
+  // --- queries by protocols ---
 
-  @Override
+  /**
+   * Returns the order that is being carried out, with its progress; empty if no sender is waiting
+   * for an order to complete.
+   */
   public Optional<Phrase> running() {
     return flight.running();
   }
 
-  @Override
+  /** Returns the reason why the drone carries out no orders; empty if it carries them out. */
   public Optional<Phrase> unactivated() {
     return faultEffects.unactivated();
   }
 
-  @Override
+  /** Returns the simulated time at the end of the last step. */
+  public SimTime now() {
+    return now;
+  }
+
   public boolean flying() {
     return flight.flying();
   }
 
-  @Override
-  public Phrase notFlying() {
-    return Preflight.check(model).map(Preflight.Objection::reason).orElseGet(flight::notFlying);
+  /** Whether the drone is in the air with its motors running. */
+  public boolean airborne() {
+    return flight.airborne();
   }
 
-  @Override
+  /** Returns the reason why the drone is not flying, and what to do about it. */
+  public Phrase notFlying() {
+    return Preflight.check(model).map(Result.Refused::reason).orElseGet(flight::notFlying);
+  }
+
+  /** Returns the speed of moves that specify none [m/s]. */
+  public double speed() {
+    return speed;
+  }
+
+  // --- notifications by protocols ---
+
+  /** Called when a host that may operate the drone sends anything. Defers the safety landing. */
   public void linkAlive() {
     flight.contact();
   }
 
-  @Override
+  /** Called when a known order arrives. Ends a safety landing. */
   public void commandArrived() {
     flight.cancelSafetyLanding();
   }
 
-  @Override
-  public void enterSdkMode(Command.EnterSdkMode command, Responder responder) {
-    session.open(responder.peer(), now, !flight.airborne()).ifPresent(context.operatorChanged());
-    String operator = session.link().operator().orElseThrow().host();
-    if (!operator.equals(responder.peer().host())) {
-      observer.happened(
-          new Note(
-              Phrase.of("answers %s, but is operated by %s", responder.peer().host(), operator)));
-    }
-    responder.reply(Reply.OK);
-  }
+  // --- orders ---
 
-  @Override
-  public void takeoff(Command.Takeoff command, Responder responder) {
-    Optional<Preflight.Objection> objection =
+  public Result takeoff() {
+    Optional<Result.Refused> objection =
         Preflight.check(model).or(faultEffects::objectionToTakeoff);
     if (objection.isPresent()) {
-      responder.refuse(objection.get().reply(), objection.get().reason());
-    } else {
-      double height = faultEffects.takeoffHeight(context.behavior().takeoffHeight());
-      flight.takeoff(height, CompletionHandler.of(responder));
+      return objection.get();
     }
+    double height = faultEffects.takeoffHeight(context.behavior().takeoffHeight());
+    return new Result.Running(flight.takeoff(height));
   }
 
-  @Override
-  public void land(Command.Land command, Responder responder) {
+  public Result land() {
     if (flight.landsOnCommand()) {
-      responder.refuse(Reply.NOT_JOYSTICK, running().orElseThrow());
-      return;
+      return new Result.Refused(RefusalKind.BUSY, running().orElseThrow());
     }
-    flight.interrupt(Reply.AUTO_LAND, Phrase.of("`land` cut it off"));
-    flight.land(CompletionHandler.of(responder));
+    flight.interrupt(RefusalKind.LANDING, Phrase.of("it was interrupted by `land`"));
+    return new Result.Running(flight.land());
   }
 
-  @Override
-  public void stop(Command.Stop command, Responder responder) {
+  /** Brakes. The order is complete when the drone has come to rest. */
+  public Result stop() {
     if (!flight.airborne()) {
-      responder.refuse(Reply.ERROR, Phrase.of("the drone does not fly"));
-    } else if (!refusedForBattery(responder)) {
-      responder.reply(Reply.OK);
-      flight.stop(responder);
+      return new Result.Refused(RefusalKind.GENERAL, Phrase.of("the drone does not fly"));
     }
+    Optional<Result> refusal = refusalForBattery();
+    return refusal.isPresent() ? refusal.get() : new Result.Running(flight.stop());
   }
 
-  @Override
-  public void emergency(Command.Emergency command, Responder responder) {
+  /** Stops the motors at once. */
+  public void emergency() {
     if (model.phase() == FlightPhase.IDLING) {
       model.setPhase(FlightPhase.GROUNDED);
     }
@@ -239,187 +244,186 @@ public final class DroneController implements CommandTarget {
     }
   }
 
-  @Override
-  public void move(Command.Move command, Responder responder) {
-    if (refused(responder)) {
-      return;
-    }
+  /**
+   * Flies straight along an axis of the level body frame.
+   *
+   * @param distance the distance [m]
+   */
+  public Result move(Direction direction, double distance) {
     boolean stoppedShort =
-        command.direction() == Direction.DOWN
-            && flight.basePosition().z() - command.distance() < context.behavior().lowestHover();
-    boolean silent = stoppedShort && !context.behavior().answersLowDown();
-    if (silent) {
-      observer.happened(
-          new Note(Phrase.of("stops above the floor and never answers `%s`", responder.text())));
-    }
-    Vec3 way = command.direction().unit().times(command.distance());
-    flight.fly(
-        planner.by(way, speed),
-        silent ? CompletionHandler.NOBODY : CompletionHandler.of(responder));
+        direction == Direction.DOWN
+            && flight.basePosition().z() - distance < context.behavior().lowestHover();
+    Vec3 way = direction.unit().times(distance);
+    return refusal()
+        .orElseGet(
+            () ->
+                stoppedShort && !context.behavior().answersLowDown()
+                    ? inVain(planner.by(way, speed))
+                    : running(planner.by(way, speed)));
   }
 
-  @Override
-  public void go(Command.Go command, Responder responder) {
-    if (!refused(responder)) {
-      flight.fly(planner.by(command.way(), command.speed()), CompletionHandler.of(responder));
-    }
+  /** Flies a maneuver, and returns a result that never completes. */
+  private Result inVain(Maneuver maneuver) {
+    observer.happened(
+        new Note(Phrase.of("stops above the floor and never reports that it has arrived")));
+    flight.fly(maneuver, Completion.NONE);
+    return new Result.Running(new Completion());
   }
 
-  @Override
-  public void curve(Command.Curve command, Responder responder) {
-    if (!refused(responder)) {
-      flight.fly(planner.along(command, flight.baseHeading()), CompletionHandler.of(responder));
-    }
+  /**
+   * Flies straight.
+   *
+   * @param way the displacement in the level body frame [m]
+   * @param metersPerSecond the speed [m/s]
+   */
+  public Result go(Vec3 way, double metersPerSecond) {
+    return refusal().orElseGet(() -> running(planner.by(way, metersPerSecond)));
   }
 
-  @Override
-  public void turn(Command.Turn command, Responder responder) {
-    if (!refused(responder)) {
-      flight.fly(planner.turn(command.angle()), CompletionHandler.of(responder));
-    }
+  /**
+   * Flies along an arc.
+   *
+   * @param arc the arc relative to the current position, in the level body frame [m]
+   * @param metersPerSecond the speed [m/s]
+   */
+  public Result curve(Arc arc, double metersPerSecond) {
+    return refusal()
+        .orElseGet(() -> running(planner.along(arc, metersPerSecond, flight.baseHeading())));
   }
 
-  @Override
-  public void flip(Command.Flip command, Responder responder) {
+  /**
+   * Turns on the spot.
+   *
+   * @param angle the angle, counter-clockwise seen from above [rad]; can exceed a full turn
+   */
+  public Result turn(double angle) {
+    return refusal().orElseGet(() -> running(planner.turn(angle)));
+  }
+
+  /** Flips in a direction other than up or down. */
+  public Result flip(Direction direction) {
     int percent = model.battery().percent();
-    if (refused(responder)) {
-      return;
+    Optional<Result> refusal = refusal();
+    if (refusal.isPresent()) {
+      return refusal.get();
     }
     if (percent < Battery.LEAST_FOR_FLIP) {
-      responder.refuse(
-          Reply.ERROR,
+      return new Result.Refused(
+          RefusalKind.GENERAL,
           Phrase.of(
               "the battery is at %d %%, a flip needs at least %d %%",
               percent, Battery.LEAST_FOR_FLIP));
-      return;
     }
-    flight.fly(
-        new Flip(
-            flight.basePosition(),
-            flight.baseHeading(),
-            command.direction().unit(),
-            planner.miss()),
-        CompletionHandler.of(responder));
+    return running(
+        new Flip(flight.basePosition(), flight.baseHeading(), direction.unit(), planner.miss()));
   }
 
-  @Override
-  public void goToPad(Command.GoToPad command, Responder responder) {
-    if (!refused(responder)) {
-      padMissions.go(command, responder);
-    }
+  /**
+   * Flies to a point over a mission pad.
+   *
+   * @param goal the goal in the pad's frame [m]
+   * @param metersPerSecond the speed [m/s]
+   */
+  public Result goToPad(Vec3 goal, double metersPerSecond, PadChoice pad) {
+    return refusal().orElseGet(() -> padMissions.go(goal, metersPerSecond, pad));
   }
 
-  @Override
-  public void curveOverPad(Command.CurveOverPad command, Responder responder) {
-    if (!refused(responder)) {
-      padMissions.curve(command, responder);
-    }
+  /**
+   * Flies an arc over a mission pad.
+   *
+   * @param via the first point of the arc in the pad's frame [m]
+   * @param end the second point of the arc in the pad's frame [m]
+   * @param metersPerSecond the speed [m/s]
+   */
+  public Result curveOverPad(Vec3 via, Vec3 end, double metersPerSecond, PadChoice pad) {
+    return refusal().orElseGet(() -> padMissions.curve(via, end, metersPerSecond, pad));
   }
 
-  @Override
-  public void jump(Command.Jump command, Responder responder) {
-    if (!refused(responder)) {
-      padMissions.jump(command, responder);
-    }
+  /**
+   * Flies from one mission pad to another.
+   *
+   * @param goal the goal in the first pad's frame [m]
+   * @param metersPerSecond the speed [m/s]
+   * @param heading the heading at the end, in the second pad's frame, counter-clockwise [rad]
+   */
+  public Result jump(
+      Vec3 goal, double metersPerSecond, PadChoice first, double heading, PadChoice second) {
+    return refusal()
+        .orElseGet(() -> padMissions.jump(goal, metersPerSecond, first, heading, second));
   }
 
-  @Override
-  public void setSpeed(Command.SetSpeed command, Responder responder) {
-    speed = command.speed();
-    responder.reply(Reply.OK);
+  /** Sets the speed of moves that specify none [m/s]. */
+  public Result setSpeed(double metersPerSecond) {
+    speed = metersPerSecond;
+    return Result.DONE;
   }
 
-  @Override
-  public void rc(Command.Rc command, Responder responder) {
-    flight.steer(command.sticks());
+  /** Sets the sticks. */
+  public void steer(Sticks sticks) {
+    flight.steer(sticks);
     faultEffects.provoke(now);
   }
 
-  @Override
-  public void setNetwork(Command.SetNetwork command, Responder responder) {
-    if (context.behavior().restartsForNetwork()) {
-      responder.reply(command.done());
-      restart.schedule(now, Restart.NOTICE);
-      return;
-    }
-    observer.happened(new Note(Phrase.of("joins no network, because it is simulated")));
-    responder.reply(Reply.OK);
+  public Result detectPads(boolean on) {
+    return equipment.detectPads(on);
   }
 
-  @Override
-  public void detectPads(Command.DetectPads command, Responder responder) {
-    equipment.detectPads(command, responder);
+  /**
+   * Sets the directions in which the drone detects mission pads.
+   *
+   * @param direction 0 down, 1 forward, 2 both
+   */
+  public Result setPadDirection(int direction) {
+    return equipment.setPadDirection(direction);
   }
 
-  @Override
-  public void setPadDirection(Command.SetPadDirection command, Responder responder) {
-    equipment.setPadDirection(command, responder);
+  public Result stream(boolean on) {
+    return equipment.stream(on);
   }
 
-  @Override
-  public void stream(Command.Stream command, Responder responder) {
-    equipment.stream(command, responder);
+  public Result setVideo(VideoOption option, int value) {
+    return equipment.setVideo(option, value);
   }
 
-  @Override
-  public void setVideo(Command.SetVideo command, Responder responder) {
-    equipment.setVideo(command, responder);
-  }
-
-  @Override
-  public void setPorts(Command.SetPorts command, Responder responder) {
-    if (session.setPorts(responder.peer(), command.statePort(), command.videoPort())) {
-      responder.reply(Reply.OK);
-    } else {
-      responder.refuse(Reply.ERROR, Phrase.of("state and video go to another host"));
-    }
-  }
-
-  @Override
-  public void spinMotors(Command.SpinMotors command, Responder responder) {
-    FlightPhase wanted = command.on() ? FlightPhase.IDLING : FlightPhase.GROUNDED;
+  /** Starts or stops the motors of a drone on the ground. */
+  public Result spinMotors(boolean on) {
+    FlightPhase wanted = on ? FlightPhase.IDLING : FlightPhase.GROUNDED;
     boolean standing = model.phase() == FlightPhase.GROUNDED || model.phase() == FlightPhase.IDLING;
     if (standing && model.upright()) {
       model.setPhase(wanted);
-      responder.reply(Reply.OK);
-    } else {
-      responder.refuse(Reply.ERROR, Phrase.of("the drone does not stand on the ground"));
+      return Result.DONE;
     }
+    return new Result.Refused(
+        RefusalKind.GENERAL, Phrase.of("the drone does not stand on the ground"));
   }
 
-  @Override
-  public void reboot(Command.Reboot command, Responder responder) {
-    restart.schedule(now, 0);
+  /**
+   * Switches the drone off and on again, either at once or after the delay that the drone
+   * announces.
+   */
+  public void reboot(boolean announced) {
+    restart.schedule(now, announced ? Reboot.NOTICE : 0);
   }
 
-  @Override
-  public void light(Command.Light command, Responder responder) {
-    equipment.light(command, responder, now);
+  /** Gives an order to the lights of the extension board. */
+  public Result light(LightOrder order) {
+    return equipment.light(order, now);
   }
 
-  @Override
-  public void acknowledge(Command.Acknowledge command, Responder responder) {
-    responder.reply(command.reply());
+  private Result running(Maneuver maneuver) {
+    return new Result.Running(flight.fly(maneuver));
   }
 
-  @Override
-  public void read(Command.Read command, Responder responder) {
-    responder.reply(context.reads().reply(command.reading(), model, speed, now));
+  /** Returns the reason why no maneuver can begin now; empty if one can. */
+  private Optional<Result> refusal() {
+    return refusalForBattery().or(() -> faultEffects.objectionToNewMove(now).map(found -> found));
   }
 
-  private boolean refused(Responder responder) {
-    if (refusedForBattery(responder)) {
-      return true;
-    }
-    Optional<Preflight.Objection> objection = faultEffects.objectionToNewMove(now);
-    objection.ifPresent(found -> responder.refuse(found.reply(), found.reason()));
-    return objection.isPresent();
-  }
-
-  private boolean refusedForBattery(Responder responder) {
-    if (flight.landsForBattery()) {
-      responder.refuse(Reply.AUTO_LAND, Phrase.of("the drone lands because of its battery"));
-    }
-    return flight.landsForBattery();
+  private Optional<Result> refusalForBattery() {
+    return flight.landsForBattery()
+        ? Optional.of(
+            new Result.Refused(
+                RefusalKind.LANDING, Phrase.of("the drone lands because of its battery")))
+        : Optional.empty();
   }
 }

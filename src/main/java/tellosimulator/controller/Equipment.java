@@ -1,9 +1,6 @@
 package tellosimulator.controller;
 
-import tellosimulator.command.Command;
-import tellosimulator.command.OperatorSession;
-import tellosimulator.command.Reply;
-import tellosimulator.command.Responder;
+import tellosimulator.extension.LightOrder;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.PadMode;
 import tellosimulator.model.VideoSettings;
@@ -13,66 +10,56 @@ import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
- * The commands for what a drone carries: camera, pad detector and extension board. For the
- * simulation thread.
+ * The camera, the pad detector and the extension board of a drone. Confined to the simulation
+ * thread.
  */
 final class Equipment {
 
   private final DroneModel model;
   private final Profile profile;
-  private final OperatorSession session;
-  private final FlightObserver observer;
 
-  Equipment(DroneModel model, Profile profile, OperatorSession session, FlightObserver observer) {
+  Equipment(DroneModel model, Profile profile) {
     this.model = model;
     this.profile = profile;
-    this.session = session;
-    this.observer = observer;
   }
 
-  void detectPads(Command.DetectPads command, Responder responder) {
+  Result detectPads(boolean on) {
     boolean both = profile.sdk() == Sdk.SDK_2_0;
     PadMode mode = both ? PadMode.BOTH : PadMode.DOWN;
-    model.look(command.on() ? mode : PadMode.OFF);
-    responder.reply(Reply.OK);
+    model.look(on ? mode : PadMode.OFF);
+    return Result.DONE;
   }
 
-  void setPadDirection(Command.SetPadDirection command, Responder responder) {
+  Result setPadDirection(int direction) {
     if (model.perception().padMode() == PadMode.OFF) {
-      responder.refuse(Reply.ERROR, Phrase.of("pad detection is off, send `mon` first"));
-      return;
+      return new Result.Refused(
+          RefusalKind.GENERAL, Phrase.of("pad detection is off, send `mon` first"));
     }
     PadMode[] modes = {PadMode.DOWN, PadMode.FORWARD, PadMode.BOTH};
-    model.look(modes[command.direction()]);
-    responder.reply(Reply.OK);
+    model.look(modes[direction]);
+    return Result.DONE;
   }
 
-  void stream(Command.Stream command, Responder responder) {
+  Result stream(boolean on) {
     VideoSettings video = model.video();
-    model.setVideo(command.on() ? video.started() : video.stopped());
-    observer.happened(
-        new FlightEvent.Note(
-            command.on()
-                ? Phrase.of("films for port %d of its operator", session.link().videoPort())
-                : Phrase.of("films no more")));
-    responder.reply(Reply.OK);
+    model.setVideo(on ? video.started() : video.stopped());
+    return Result.DONE;
   }
 
-  void light(Command.Light command, Responder responder, SimTime now) {
-    model.setLights(model.lights().after(command.order(), now));
-    responder.reply(command.reply());
+  Result light(LightOrder order, SimTime now) {
+    model.setLights(model.lights().after(order, now));
+    return Result.DONE;
   }
 
-  void setVideo(Command.SetVideo command, Responder responder) {
+  Result setVideo(VideoOption option, int value) {
     VideoSettings video = model.video();
-    int value = command.value();
     model.setVideo(
-        switch (command.option()) {
+        switch (option) {
           case FRAMES_PER_SECOND -> video.withFramesPerSecond(value);
           case BIT_RATE -> video.withMegabits(value);
           case LINES -> video.withLines(value);
           case DOWNWARD -> video.withDownward(value == 1);
         });
-    responder.reply(Reply.OK);
+    return Result.DONE;
   }
 }

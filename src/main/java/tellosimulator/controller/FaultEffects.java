@@ -2,10 +2,9 @@ package tellosimulator.controller;
 
 import java.util.Optional;
 import java.util.function.Supplier;
-import tellosimulator.command.Reply;
 import tellosimulator.controller.FlightEvent.Fell;
+import tellosimulator.controller.FlightEvent.LandingCause;
 import tellosimulator.controller.FlightEvent.LandsByItself;
-import tellosimulator.controller.Preflight.Objection;
 import tellosimulator.fault.ActiveFaults;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.FaultKind;
@@ -18,10 +17,13 @@ import tellosimulator.sensor.SeededNoise;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
-/** The effects of faults on a drone and its flight. For one drone and the simulation thread. */
+/**
+ * Applies faults to a drone and its flight. One instance per drone, confined to the simulation
+ * thread.
+ */
 final class FaultEffects {
 
-  /** How long it drifts one way [s]. Assumed. */
+  /** Time between changes of the drift's direction [s]. Assumed. */
   private static final double DRIFT_PERIOD = 2;
 
   private final DroneModel model;
@@ -31,12 +33,12 @@ final class FaultEffects {
   private final SeededNoise noise;
   private boolean restarted;
 
-  /** When the last {@code rc} or {@code ok} was. */
+  /** Time of the last {@code rc} or {@code ok}. */
   private Optional<SimTime> provoked = Optional.empty();
 
   private long moves;
 
-  /** How long it has flown in the dark [s]. */
+  /** Duration of the flight in the dark so far [s]. */
   private double dark;
 
   FaultEffects(ControllerContext context, Flight flight) {
@@ -51,29 +53,32 @@ final class FaultEffects {
     return faults.get().faults().isEmpty();
   }
 
-  /** Why it does not take off; empty if no fault keeps it. */
-  Optional<Objection> objectionToTakeoff() {
+  /** Returns the reason why the drone cannot take off; empty if no fault prevents a takeoff. */
+  Optional<Result.Refused> objectionToTakeoff() {
     return acting(FaultKind.SENSOR_ERROR)
-        .map(fault -> new Objection(Reply.ERROR, cause(fault)))
+        .map(fault -> new Result.Refused(RefusalKind.GENERAL, cause(fault)))
         .or(
             () ->
                 acting(FaultKind.OVERHEAT)
-                    .map(fault -> new Objection(Reply.HIGH_TEMPERATURE, cause(fault))));
+                    .map(fault -> new Result.Refused(RefusalKind.OVERHEATED, cause(fault))));
   }
 
-  /** Why it does not move; empty if no fault keeps it. */
-  Optional<Objection> objectionToMove() {
-    return lost().map(fault -> new Objection(Reply.NO_VALID_IMU, cause(fault)));
+  /** Returns the reason why the drone cannot move; empty if no fault prevents moves. */
+  Optional<Result.Refused> objectionToMove() {
+    return lost().map(fault -> new Result.Refused(RefusalKind.POSITION_UNKNOWN, cause(fault)));
   }
 
-  /** Why it takes no move now; empty if no fault keeps it. Draws once for each move. */
-  Optional<Objection> objectionToNewMove(SimTime now) {
+  /**
+   * Returns the reason why the drone cannot begin a move now; empty if no fault prevents the move.
+   * Draws a random number for each move that the fault {@code not-joystick} may refuse.
+   */
+  Optional<Result.Refused> objectionToNewMove(SimTime now) {
     return objectionToMove()
         .or(
             () ->
                 acting(FaultKind.NOT_JOYSTICK)
                     .filter(fault -> refusesMove(fault, now))
-                    .map(fault -> new Objection(Reply.NOT_JOYSTICK, cause(fault))));
+                    .map(fault -> new Result.Refused(RefusalKind.BUSY, cause(fault))));
   }
 
   private boolean refusesMove(Fault fault, SimTime now) {
@@ -84,24 +89,27 @@ final class FaultEffects {
             < fault.value(FaultParameter.SHARE);
   }
 
-  /** It was steered, or has said {@code ok}. */
+  /** Records that the drone has been steered, or has replied {@code ok}. */
   void provoke(SimTime now) {
     provoked = Optional.of(now);
   }
 
-  /** Why it carries out nothing but {@code command}; empty if it does. */
+  /**
+   * Returns the reason why the drone refuses all commands except {@code command}; empty if it does
+   * not refuse them.
+   */
   Optional<Phrase> unactivated() {
     return acting(FaultKind.UNACTIVATED).map(FaultEffects::cause);
   }
 
-  /** How high a takeoff gets, if that is less than usual [m]. */
+  /** Returns the height of a takeoff [m]. A fault can reduce the usual height. */
   double takeoffHeight(double usual) {
     return acting(FaultKind.WEAK_TAKEOFF)
         .map(fault -> Math.min(usual, fault.value(FaultParameter.HEIGHT)))
         .orElse(usual);
   }
 
-  /** How it drifts, room frame [m/s]. */
+  /** Returns the drift velocity, in the room frame [m/s]. */
   Vec3 drift(SimTime now) {
     if (none()) {
       return Vec3.ZERO;
@@ -117,11 +125,11 @@ final class FaultEffects {
   }
 
   /**
-   * Lets faults do what they do at the end of a step.
+   * Applies the effects of faults at the end of a step.
    *
-   * @param restart to switch itself off and on again
+   * @param restart restarts the drone if a fault requires it
    */
-  void advance(SimTime now, Restart restart) {
+  void advance(SimTime now, Reboot restart) {
     if (none()) {
       restarted = false;
       dark = 0;
@@ -139,15 +147,14 @@ final class FaultEffects {
     acting(FaultKind.MOTOR_STOP).filter(fault -> flight.airborne()).ifPresent(this::stopMotors);
     acting(FaultKind.SILENT_LAND)
         .filter(fault -> flight.airborne())
-        .ifPresent(fault -> flight.landByItself(cause(fault)));
+        .ifPresent(fault -> flight.landByItself(cause(fault), LandingCause.FAULT));
     if (model.phase() == FlightPhase.FLYING && flight.answers()) {
-      objectionToMove()
-          .ifPresent(objection -> flight.gaveUp(objection.reply(), objection.reason()));
+      objectionToMove().ifPresent(objection -> flight.gaveUp(objection.kind(), objection.reason()));
     }
   }
 
-  /** Once for each time that the fault begins. */
-  private void restart(SimTime now, Restart restart) {
+  /** Restarts the drone once each time the reboot fault begins. */
+  private void restart(SimTime now, Reboot restart) {
     boolean wanted = acting(FaultKind.REBOOT).isPresent();
     if (wanted && !restarted && model.phase() != FlightPhase.OFF) {
       restart.schedule(now, 0);
@@ -166,20 +173,20 @@ final class FaultEffects {
     model.heat(fault.value(FaultParameter.HEAT));
     if (flight.airborne() && model.phase() != FlightPhase.LANDING) {
       Phrase reason = cause(fault);
-      flight.interrupt(Reply.AUTO_LAND, reason);
-      flight.land(CompletionHandler.NOBODY);
-      observer.happened(new LandsByItself(reason, false));
+      flight.interrupt(RefusalKind.LANDING, reason);
+      flight.land(Completion.NONE);
+      observer.happened(new LandsByItself(reason, LandingCause.FAULT));
     }
   }
 
   private void stopMotors(Fault fault) {
     Phrase reason = cause(fault);
-    flight.interrupt(Reply.MOTOR_STOP, reason);
+    flight.interrupt(RefusalKind.MOTORS_OFF, reason);
     flight.motorsOff(FlightPhase.FALLING);
     observer.happened(new Fell(reason));
   }
 
-  /** What it does not know its place by. */
+  /** Returns the fault that made the drone lose its position, if any. */
   private Optional<Fault> lost() {
     return acting(FaultKind.NO_VALID_IMU)
         .or(

@@ -1,42 +1,54 @@
 package tellosimulator.controller;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import tellosimulator.command.Reply;
-import tellosimulator.command.Responder;
-import tellosimulator.command.Sticks;
 import tellosimulator.controller.FlightEvent.Crashed;
 import tellosimulator.controller.FlightEvent.Dropped;
 import tellosimulator.controller.FlightEvent.Fell;
 import tellosimulator.controller.FlightEvent.Landed;
 import tellosimulator.controller.FlightEvent.LandingCanceled;
+import tellosimulator.controller.FlightEvent.LandingCause;
 import tellosimulator.controller.FlightEvent.LandsByItself;
 import tellosimulator.controller.FlightEvent.TookOff;
+import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.Battery;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.model.Motion;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.profile.Behavior;
-import tellosimulator.time.Demand;
+import tellosimulator.time.PendingWork;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Collision;
 
 /**
- * What one drone is doing in the air, from one maneuver to the next, and who waits for it: takeoff,
- * landing, crash, and the landings that nobody commanded. For the simulation thread.
+ * The flight of one drone: a sequence of maneuvers, each with the completion of the order that it
+ * carries out. Handles takeoffs, landings (with and without a command) and crashes. Confined to the
+ * simulation thread.
  */
 final class Flight {
 
-  /** Silence after which it lands by itself [s]. Documented: SDK 2.0 User Guide. */
+  /**
+   * Time without commands after which the drone lands automatically [s]. Documented: SDK 2.0 User
+   * Guide.
+   */
   private static final double SILENCE = 15;
 
-  /** Below this speed there is nothing to brake from [m/s]. Decided: it counts as balanced out. */
+  /**
+   * Speed below which the drone does not need to brake [m/s]. Decided: the maximum speed allowed at
+   * the time of {@code ok}.
+   */
   static final double STILL = 0.05;
 
-  /** How exactly a drone hovers at the height of which a fall is told [m]. Decided. */
+  /**
+   * Amount by which a fall may exceed the depth of a harmless fall without a crash [m]. Decided:
+   * the accuracy with which a drone hovers.
+   */
   private static final double ON_TARGET = 0.01;
 
   private static final double STEP = SimTime.STEP;
@@ -49,19 +61,21 @@ final class Flight {
   private final ForcedStop forcedStop = new ForcedStop();
   private SimTime now = SimTime.ZERO;
   private SimTime lastContact = SimTime.ZERO;
-  private CompletionHandler handler = CompletionHandler.NOBODY;
+  private Completion completion = Completion.NONE;
   private final Contacts contacts;
   private boolean landingForSilence;
   private boolean landingForBattery;
 
-  /** Why it came down by itself, until it flies again. */
+  /**
+   * The reason for the last landing without a command; empty if another maneuver has begun since.
+   */
   private Optional<Phrase> loneLanding = Optional.empty();
 
   private boolean stands;
   private final double crashSpeed;
   private final boolean landsWhenSilent;
 
-  /** Height at which the motors stopped in flight [m], while it falls. */
+  /** The height at which the motors stopped in flight [m]; empty except during a fall. */
   private OptionalDouble fallFrom = OptionalDouble.empty();
 
   Flight(ControllerContext context) {
@@ -75,28 +89,28 @@ final class Flight {
     this.contacts = new Contacts(observer, crashSpeed);
   }
 
-  // --- what others ask ---
+  // --- queries ---
 
   boolean flying() {
     return model.phase().flying();
   }
 
-  /** Whether it is in the air, carried by its motors. */
+  /** Whether the drone is in the air with its motors running. */
   boolean airborne() {
     boolean down = autopilot.maneuver() instanceof Landing landing && landing.down();
     return flying() && !model.resting() && !down;
   }
 
-  /** Whether it comes down because somebody said so, and that somebody waits. */
+  /** Whether the drone is landing because of a command whose sender is waiting for the reply. */
   boolean landsOnCommand() {
-    return landing() && handler != CompletionHandler.NOBODY;
+    return landing() && completion != Completion.NONE;
   }
 
   boolean landsForBattery() {
     return landingForBattery;
   }
 
-  /** Why it stands, and what to do. */
+  /** Explains why the drone is on the ground, and what to do about it. */
   Phrase notFlying() {
     Vec3 place = model.motion().position();
     return loneLanding
@@ -104,33 +118,41 @@ final class Flight {
             reason ->
                 Phrase.of(
                     "the drone landed by itself at x %.0f, y %.0f (%s), send `takeoff` first",
-                    place.x() * 100, place.y() * 100, reason))
+                    wholeCm(place.x()), wholeCm(place.y()), reason))
         .orElse(Phrase.of("the drone does not fly, send `takeoff` first"));
   }
 
-  /** What runs and how far it is; empty if nobody waits for anything. */
+  /** Converts metres to whole centimetres; never returns negative zero. */
+  private static double wholeCm(double meters) {
+    return Math.round(Frames.centimeters(meters));
+  }
+
+  /** Returns the running command with its progress; empty if no client is waiting for its reply. */
   Optional<Phrase> running() {
-    return handler == CompletionHandler.NOBODY
+    return completion == Completion.NONE
         ? Optional.empty()
         : Optional.of(
             Phrase.of(
-                "`%s` is still running, %s", handler.text(), autopilot.maneuver().progress()));
+                "`%s` is still running, %s", completion.name(), autopilot.maneuver().progress()));
   }
 
-  /** Whether somebody waits for the answer to a command. */
+  /** Whether a client is waiting for the reply to a command. */
   boolean answers() {
-    return handler != CompletionHandler.NOBODY;
+    return completion != Completion.NONE;
   }
 
-  /** Why time must pass for it; sticks that are out of the centre steer without end. */
-  Demand demand() {
+  /**
+   * Returns the reason why simulated time must pass. There is always a reason while the drone is
+   * flying with its sticks off centre.
+   */
+  PendingWork demand() {
     boolean steered = flying() && (!rc.sticks().centered() || autopilot.drifts());
     boolean settled = (steered || rc.atRest()) && autopilot.maneuver().atRest();
     boolean falls = !flying() && !model.resting();
     if (answers() || (flying() && !settled) || falls || forcedStop.pending()) {
-      return Demand.DEBT;
+      return PendingWork.REPLY;
     }
-    return steered ? Demand.MOTION : Demand.NONE;
+    return steered ? PendingWork.MOTION : PendingWork.NONE;
   }
 
   Setpoint setpoint() {
@@ -145,13 +167,13 @@ final class Flight {
     return autopilot.baseHeading(model.motion());
   }
 
-  // --- what commands do ---
+  // --- called by commands ---
 
   void contact() {
     lastContact = now;
   }
 
-  /** A command arrived: a safety landing ends, the drone hovers. */
+  /** Ends a safety landing because a command arrived. The drone then hovers. */
   void cancelSafetyLanding() {
     if (landingForSilence) {
       observer.happened(new LandingCanceled());
@@ -163,11 +185,18 @@ final class Flight {
     rc.set(sticks, now);
   }
 
-  void fly(Maneuver maneuver, CompletionHandler newHandler) {
+  /** Begins a maneuver requested by an order. */
+  Completion fly(Maneuver maneuver) {
+    Completion ordered = new Completion();
+    fly(maneuver, ordered);
+    return ordered;
+  }
+
+  void fly(Maneuver maneuver, Completion newCompletion) {
     landingForSilence = false;
     landingForBattery = false;
     loneLanding = Optional.empty();
-    handler = newHandler;
+    completion = newCompletion;
     model.setPhase(FlightPhase.FLYING);
     autopilot.fly(maneuver);
   }
@@ -175,29 +204,41 @@ final class Flight {
   /**
    * Starts the motors and climbs.
    *
-   * @param height above where it stands [m]
+   * @param height the height above the drone's position on the ground [m]
    */
-  void takeoff(double height, CompletionHandler newHandler) {
-    fly(new Takeoff(model.motion().position(), baseHeading(), height, behavior), newHandler);
+  Completion takeoff(double height) {
+    Completion ordered =
+        fly(new Takeoff(model.motion().position(), baseHeading(), height, behavior));
     model.countTakeoff();
     model.setPhase(FlightPhase.TAKING_OFF);
     stands = true;
+    return ordered;
   }
 
-  void land(CompletionHandler newHandler) {
-    fly(new Landing(basePosition(), baseHeading(), behavior), newHandler);
+  /** Begins a landing requested by an order. */
+  Completion land() {
+    Completion ordered = new Completion();
+    land(ordered);
+    return ordered;
+  }
+
+  void land(Completion newCompletion) {
+    fly(new Landing(basePosition(), baseHeading(), behavior), newCompletion);
     model.setPhase(FlightPhase.LANDING);
   }
 
-  /** Lands it, unless it stands or lands already; a caller that waits gets no answer. */
-  void landByItself(Phrase reason) {
+  /**
+   * Lands the drone, unless it is already on the ground or landing. A client that is waiting gets
+   * no reply.
+   */
+  void landByItself(Phrase reason, LandingCause cause) {
     if (flying() && !landing()) {
-      land(CompletionHandler.NOBODY);
-      observer.happened(new LandsByItself(reason, false));
+      land(Completion.NONE);
+      observer.happened(new LandsByItself(reason, cause));
     }
   }
 
-  /** Brakes and stays. */
+  /** Brakes and hovers. */
   void hover() {
     Vec3 steered = rc.velocity().turned(model.motion().attitude().heading());
     Vec3 own = model.motion().velocity().minus(steered);
@@ -206,29 +247,29 @@ final class Flight {
         still
             ? new Hover(basePosition(), Vec3.ZERO, baseHeading())
             : new Hover(model.motion().position(), own, baseHeading()),
-        CompletionHandler.NOBODY);
+        Completion.NONE);
   }
 
-  /** Centres the sticks, brakes, and answers the second time when it stands still. */
-  void stop(Responder responder) {
+  /** Centres the sticks and brakes. The order is complete when the drone has come to rest. */
+  Completion stop() {
     rc.set(Sticks.CENTERED, now);
     hover();
-    forcedStop.expect(responder, now);
+    return forcedStop.expect(now);
   }
 
-  /** Cuts off what runs, with an answer. */
-  void interrupt(Reply reply, Phrase reason) {
-    CompletionHandler interrupted = handler;
-    handler = CompletionHandler.NOBODY;
-    interrupted.failed(reply, reason);
+  /** Makes the running order fail. Does not end its maneuver. */
+  void interrupt(RefusalKind kind, Phrase reason) {
+    Completion interrupted = completion;
+    completion = Completion.NONE;
+    interrupted.failed(kind, reason);
   }
 
-  /** Stops the motors, whatever the drone is doing; nobody is answered. */
+  /** Stops the motors, whatever the drone is doing. No client gets a reply. */
   void motorsOff(FlightPhase phase) {
     if (flying()) {
       fallFrom = OptionalDouble.of(model.motion().position().z());
     }
-    handler = CompletionHandler.NOBODY;
+    completion = Completion.NONE;
     landingForSilence = false;
     landingForBattery = false;
     forcedStop.forget();
@@ -236,7 +277,7 @@ final class Flight {
     model.setPhase(phase);
   }
 
-  /** Forgets everything, as reset and power-off do. */
+  /** Clears all state, on a reset or power-off. */
   void reset() {
     boolean powered = model.phase() != FlightPhase.OFF;
     motorsOff(powered ? FlightPhase.GROUNDED : FlightPhase.OFF);
@@ -246,9 +287,9 @@ final class Flight {
     lastContact = now;
   }
 
-  // --- what happens in a step ---
+  // --- called in a step ---
 
-  /** How it drifts from now on, whatever it does, room frame [m/s]. */
+  /** Sets the drift velocity, in the room frame [m/s]. The drift acts during every maneuver. */
   void drift(Vec3 velocity) {
     autopilot.drift(airborne() ? velocity : Vec3.ZERO);
   }
@@ -268,7 +309,7 @@ final class Flight {
     contacts.next(now);
   }
 
-  /** Something stopped the drone. */
+  /** Handles a collision that stopped the drone. */
   void touch(Collision collision) {
     contacts.add(collision, flying());
     double fallen = fallen(collision);
@@ -282,7 +323,7 @@ final class Flight {
     }
   }
 
-  /** Ends what has come to its end. */
+  /** Ends the maneuver if it is over, and completes or fails its order. */
   void finish() {
     if (stands && airborne()) {
       stands = false;
@@ -294,22 +335,22 @@ final class Flight {
       autopilot.observe(model.motion(), normal, model.pushed());
       switch (autopilot.outcome()) {
         case ARRIVED -> arrived();
-        case HELD -> gaveUp(Reply.ERROR, Phrase.of("it was blocked by %s for 1 s", obstacle()));
-        case RESTLESS -> gaveUp(Reply.ERROR, Phrase.of("it did not come to rest"));
-        case LOST -> gaveUp(Reply.RUN_TIMEOUT, autopilot.maneuver().lost().orElseThrow());
+        case HELD ->
+            gaveUp(RefusalKind.GENERAL, Phrase.of("it was blocked by %s for 1 s", obstacle()));
+        case RESTLESS -> gaveUp(RefusalKind.GENERAL, Phrase.of("it did not come to rest"));
+        case LOST -> gaveUp(RefusalKind.PAD_LOST, autopilot.maneuver().lost().orElseThrow());
         case RUNNING -> {}
       }
     }
-    forcedStop.report(
-        now, model.motion(), handler == CompletionHandler.NOBODY && rc.sticks().centered());
+    forcedStop.report(now, model.motion(), completion == Completion.NONE && rc.sticks().centered());
   }
 
-  /** Lands if the battery or a silent operator asks for it. */
+  /** Ends the flight if the battery or the silence of the operator requires it. */
   void watchOver() {
     if (model.phase() == FlightPhase.IDLING && model.battery().empty()) {
       model.setPhase(FlightPhase.GROUNDED);
     }
-    if (handler != CompletionHandler.NOBODY) {
+    if (completion != Completion.NONE) {
       lastContact = now;
     }
     if (!flying()) {
@@ -317,22 +358,22 @@ final class Flight {
     }
     if (model.battery().empty()) {
       Phrase reason = Phrase.of("the battery is empty");
-      interrupt(Reply.MOTOR_STOP, reason);
+      interrupt(RefusalKind.MOTORS_OFF, reason);
       motorsOff(FlightPhase.FALLING);
       observer.happened(new Fell(reason));
     } else if (model.battery().percent() <= Battery.LANDS_BY_ITSELF && !landing()) {
       Phrase reason = Phrase.of("the battery is at %d %%", model.battery().percent());
-      interrupt(Reply.AUTO_LAND, reason);
-      land(CompletionHandler.NOBODY);
+      interrupt(RefusalKind.LANDING, reason);
+      land(Completion.NONE);
       landingForBattery = true;
       loneLanding = Optional.of(reason);
-      observer.happened(new LandsByItself(reason, false));
+      observer.happened(new LandsByItself(reason, LandingCause.BATTERY));
     } else if (landsWhenSilent && now.since(lastContact) >= SILENCE && !landing()) {
       Phrase reason = Phrase.of("no command came for %.0f s", SILENCE);
-      land(CompletionHandler.NOBODY);
+      land(Completion.NONE);
       landingForSilence = true;
       loneLanding = Optional.of(reason);
-      observer.happened(new LandsByItself(reason, true));
+      observer.happened(new LandsByItself(reason, LandingCause.SILENCE));
     }
   }
 
@@ -348,7 +389,7 @@ final class Flight {
   }
 
   private void arrived() {
-    CompletionHandler finished = handler;
+    Completion finished = completion;
     if (landing()) {
       motorsOff(FlightPhase.GROUNDED);
       comeToRest();
@@ -360,14 +401,14 @@ final class Flight {
     finished.done();
   }
 
-  /** The maneuver ends here, with an answer. */
-  void gaveUp(Reply reply, Phrase reason) {
-    CompletionHandler failed = handler;
+  /** Aborts the current maneuver. Its order fails. */
+  void gaveUp(RefusalKind kind, Phrase reason) {
+    Completion failed = completion;
     hover();
-    failed.failed(reply, reason);
+    failed.failed(kind, reason);
   }
 
-  /** How deep it has fallen onto what carries it now [m]; 0 if it did not fall. */
+  /** Returns the depth of a fall onto the current ground [m]; 0 if the drone did not fall. */
   private double fallen(Collision collision) {
     boolean landed = !flying() && collision.onGround() && fallFrom.isPresent();
     return landed ? Math.max(0, fallFrom.getAsDouble() - collision.position().z()) : 0;
@@ -383,7 +424,7 @@ final class Flight {
   private void crash(Collision collision, double fallen) {
     Crashed crashed =
         new Crashed(collision.touched(), collision.speed(), fallen, collision.position());
-    interrupt(Reply.MOTOR_STOP, Phrase.of("the drone %s", crashed.phrase()));
+    interrupt(RefusalKind.MOTORS_OFF, Phrase.of("the drone %s", crashed.phrase()));
     boolean powered = model.phase() != FlightPhase.OFF;
     motorsOff(powered ? FlightPhase.CRASHED : FlightPhase.OFF);
     fallFrom = OptionalDouble.empty();
@@ -395,6 +436,69 @@ final class Flight {
     model.rest();
     if (model.phase() == FlightPhase.FALLING) {
       model.setPhase(FlightPhase.GROUNDED);
+    }
+  }
+
+  /**
+   * The completions of {@code stop}. A completion is due when the drone has come to rest, but not
+   * earlier than half a second after the command. If another movement has begun, the completion is
+   * due one second after the command. Confined to the simulation thread.
+   */
+  private static final class ForcedStop {
+
+    /** Minimum time from the command to the reply [s]. Measured: replies come 0.5 to 1 s later. */
+    private static final double EARLIEST = 0.5;
+
+    /**
+     * Time from the command to the reply if another movement has begun [s]. Measured: replies come
+     * 0.5 to 1 s later.
+     */
+    private static final double LATEST = 1;
+
+    /** Maximum number of pending replies, so that a flood of {@code stop} has a limited effect. */
+    private static final int MOST_WAITING = 100;
+
+    private record Waiting(Completion completion, SimTime since) {}
+
+    private final List<Waiting> waiting = new ArrayList<>();
+
+    /**
+     * Returns a completion that is due when the drone has come to rest. It never completes if too
+     * many completions are already pending.
+     */
+    Completion expect(SimTime now) {
+      Completion completion = new Completion();
+      if (waiting.size() < MOST_WAITING) {
+        waiting.add(new Waiting(completion, now));
+      }
+      return completion;
+    }
+
+    boolean pending() {
+      return !waiting.isEmpty();
+    }
+
+    void forget() {
+      waiting.clear();
+    }
+
+    /**
+     * Sends the replies that are due.
+     *
+     * @param hovering whether neither a command nor {@code rc} moves the drone
+     */
+    void report(SimTime now, Motion motion, boolean hovering) {
+      if (waiting.isEmpty()) {
+        return;
+      }
+      boolean still = hovering && motion.velocity().norm() < Flight.STILL;
+      double due = still ? EARLIEST : LATEST;
+      List<Waiting> ripe =
+          waiting.stream()
+              .filter(one -> now.since(one.since()) >= due && (still || !hovering))
+              .toList();
+      waiting.removeAll(ripe);
+      ripe.forEach(one -> one.completion().done());
     }
   }
 }

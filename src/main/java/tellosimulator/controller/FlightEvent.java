@@ -5,13 +5,13 @@ import tellosimulator.words.Phrase;
 import tellosimulator.world.Collidable;
 import tellosimulator.world.Obstacle;
 
-/** Something that happened to a drone, other than a command or a reply. */
+/** An event of a drone's flight, other than a command or a reply. */
 public sealed interface FlightEvent {
 
-  /** For people: a clause about the drone, such as {@code took off}. */
+  /** Returns a description that lacks its subject, the drone, such as {@code took off}. */
   Phrase phrase();
 
-  /** It left the ground. */
+  /** The drone left the ground. */
   record TookOff() implements FlightEvent {
     @Override
     public Phrase phrase() {
@@ -20,9 +20,9 @@ public sealed interface FlightEvent {
   }
 
   /**
-   * It stands on something with its motors off.
+   * The drone has landed: it stands on something with its motors off.
    *
-   * @param on what it stands on
+   * @param on the object on which the drone stands
    */
   record Landed(Collidable on) implements FlightEvent {
     @Override
@@ -33,13 +33,23 @@ public sealed interface FlightEvent {
     }
   }
 
+  /** The kinds of reasons why a drone lands without a command. */
+  enum LandingCause {
+    SILENCE,
+    BATTERY,
+    FAULT,
+
+    /** The program that flew the drone has ended. */
+    END_OF_PROGRAM
+  }
+
   /**
-   * It lands by itself.
+   * The drone begins to land automatically.
    *
-   * @param reason why, in plain words
-   * @param silence whether because no command came
+   * @param reason the reason, in plain words
+   * @param cause the kind of reason
    */
-  record LandsByItself(Phrase reason, boolean silence) implements FlightEvent {
+  record LandsByItself(Phrase reason, LandingCause cause) implements FlightEvent {
     @Override
     public Phrase phrase() {
       return Phrase.of("lands by itself: %s", reason);
@@ -55,9 +65,9 @@ public sealed interface FlightEvent {
   }
 
   /**
-   * Its motors stopped in the air.
+   * The drone's motors stopped in the air.
    *
-   * @param reason why, in plain words
+   * @param reason the reason, in plain words
    */
   record Fell(Phrase reason) implements FlightEvent {
     @Override
@@ -67,12 +77,12 @@ public sealed interface FlightEvent {
   }
 
   /**
-   * It hit something too hard.
+   * The drone hit something so hard that it crashed.
    *
-   * @param touched what it hit
-   * @param speed how fast [m/s]
-   * @param fallen how deep it had fallen [m]; 0 if its motors carried it
-   * @param position where, room frame [m]
+   * @param touched the object that the drone hit
+   * @param speed the impact speed [m/s]
+   * @param fallen the depth of the fall [m]; 0 unless a fall ended on the ground
+   * @param position the position of the drone, in the room frame [m]
    */
   record Crashed(Collidable touched, double speed, double fallen, Vec3 position)
       implements FlightEvent {
@@ -90,11 +100,11 @@ public sealed interface FlightEvent {
   }
 
   /**
-   * Its fall ended without harm.
+   * The drone's fall ended without damage.
    *
-   * @param touched what it fell on
-   * @param speed how fast it hit it [m/s]
-   * @param fallen how deep it fell [m]
+   * @param touched the object onto which the drone fell
+   * @param speed the impact speed [m/s]
+   * @param fallen the depth of the fall [m]
    */
   record Dropped(Collidable touched, double speed, double fallen) implements FlightEvent {
     @Override
@@ -104,11 +114,12 @@ public sealed interface FlightEvent {
   }
 
   /**
-   * It began to touch something, and goes on flying; {@link Parted} ends that.
+   * The drone began to touch something, and is still flying. The contact lasts until {@link
+   * Parted}.
    *
-   * @param touched what it touched; not what it stands on
-   * @param speed how fast [m/s]
-   * @param position where, room frame [m]
+   * @param touched the touched object, never the ground below the drone
+   * @param speed the speed at which the drone hit the object [m/s]
+   * @param position the position of the drone, in the room frame [m]
    */
   record Touched(Collidable touched, double speed, Vec3 position) implements FlightEvent {
     @Override
@@ -118,9 +129,9 @@ public sealed interface FlightEvent {
   }
 
   /**
-   * It does not touch something any more.
+   * The drone no longer touches an object.
    *
-   * @param seconds since it began to touch it
+   * @param seconds the duration of the contact
    */
   record Parted(Collidable touched, double seconds) implements FlightEvent {
     @Override
@@ -129,7 +140,7 @@ public sealed interface FlightEvent {
     }
   }
 
-  /** A person put it back to its start. */
+  /** A reset put the drone back at its start. */
   record PutBack() implements FlightEvent {
     @Override
     public Phrase phrase() {
@@ -138,9 +149,9 @@ public sealed interface FlightEvent {
   }
 
   /**
-   * Something was set or switched.
+   * Something else worth noting happened, such as a changed setting.
    *
-   * @param phrase what, as a clause about the drone
+   * @param phrase a clause about the drone
    */
   record Note(Phrase phrase) implements FlightEvent {}
 }

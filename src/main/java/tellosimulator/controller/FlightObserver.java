@@ -1,6 +1,6 @@
 package tellosimulator.controller;
 
-/** Is told what happens to a drone. Called on the simulation thread. */
+/** A listener that is notified of a drone's flight events. Called on the simulation thread. */
 @FunctionalInterface
 public interface FlightObserver {
   void happened(FlightEvent event);

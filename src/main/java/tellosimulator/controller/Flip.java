@@ -7,8 +7,8 @@ import tellosimulator.physics.Setpoint;
 import tellosimulator.words.Phrase;
 
 /**
- * A somersault: jumps up, turns once about its own axis with little thrust, catches itself and
- * hovers a little further in its direction, at the height where it began.
+ * A flip. The drone jumps up, turns once about a body axis with little thrust, and recovers. It
+ * then hovers at the initial height, a short distance away in the direction of the flip.
  */
 final class Flip implements Maneuver {
 
@@ -18,16 +18,21 @@ final class Flip implements Maneuver {
   /** Duration of the jump [s]. Assumed: the loop must clear the floor. */
   private static final double JUMP_TIME = 0.22;
 
-  /** Thrust for each unit of weight while it turns. Assumed: a small circle. */
+  /** Thrust during the turn, as a multiple of the weight. Assumed: the loop is small. */
   private static final double LOOP_THRUST = 0.25;
 
-  /** What is left of the turn when it starts to catch itself [rad]. Assumed. */
+  /** Remaining angle of the turn at which the drone begins to recover [rad]. Assumed. */
   private static final double CATCH_ANGLE = 0.9;
 
-  /** How far it ends in its direction [m]. Measured: about 30 cm. */
+  /**
+   * Distance from the start to the end, in the direction of the flip [m]. Measured: about 30 cm.
+   */
   private static final double ADVANCE = 0.30;
 
-  /** From the command to the end of the plan [s]. Target time: 4.0 s in all. */
+  /**
+   * Time from the first motion to the end of the plan [s]. The reply then follows about 4.0 s after
+   * the command.
+   */
   private static final double PLAN_TIME = 3.4;
 
   private final Vec3 start;
@@ -38,10 +43,12 @@ final class Flip implements Maneuver {
   private double turned;
 
   /**
-   * @param start where it is, room frame [m]
-   * @param heading where the nose points [rad]
-   * @param direction unit vector in the level body frame, horizontal
-   * @param miss by how much it ends elsewhere, room frame [m]
+   * Creates a flip.
+   *
+   * @param start the drone's position, in the room frame [m]
+   * @param heading the direction of the nose [rad]
+   * @param direction a horizontal unit vector in the level body frame
+   * @param miss the error of the end position, in the room frame [m]
    */
   Flip(Vec3 start, double heading, Vec3 direction, Vec3 miss) {
     this.start = start;

@@ -5,7 +5,7 @@ import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.words.Phrase;
 
-/** Stays where it is, after braking if it was on its way. Has no end. */
+/** A hover: the drone brakes from its current movement and stays in place. Never ends. */
 final class Hover implements Maneuver {
 
   private final Setpoint.Heading heading;
@@ -13,9 +13,12 @@ final class Hover implements Maneuver {
   private Vec3 velocity;
 
   /**
-   * @param position where to stay or to begin braking, room frame [m]
-   * @param velocity to brake from [m/s]
-   * @param heading where the nose points [rad]
+   * Creates a hover.
+   *
+   * @param position the position to hold or, if the drone is moving, the position at which braking
+   *     begins, in the room frame [m]
+   * @param velocity the velocity at which braking begins [m/s]
+   * @param heading the direction of the nose [rad]
    */
   Hover(Vec3 position, Vec3 velocity, double heading) {
     this.position = position;

@@ -6,16 +6,18 @@ import tellosimulator.physics.Setpoint;
 import tellosimulator.profile.Behavior;
 import tellosimulator.words.Phrase;
 
-/** Sinks until it stands on something, stops the motors and waits a moment. */
+/**
+ * A landing: the drone descends until it stands on something, stops the motors and waits a moment.
+ */
 final class Landing implements Maneuver {
 
-  /** How the sinking starts and slows down [m/s²]. Assumed. */
+  /** Acceleration and deceleration of the descent [m/s²]. Assumed. */
   private static final double ACCELERATION = 2;
 
-  /** How long it must stand before the motors stop [s]. Assumed. */
+  /** Time on the ground before the motors stop [s]. Assumed. */
   private static final double CONTACT = 0.1;
 
-  /** How far the target may run ahead into the ground [m]. Assumed. */
+  /** Maximum depth of the target below the drone [m]. Assumed. */
   private static final double LEAD = 0.05;
 
   private final Setpoint.Heading heading;
@@ -27,8 +29,10 @@ final class Landing implements Maneuver {
   private double settled;
 
   /**
-   * @param start where it is, room frame [m]
-   * @param heading where the nose points [rad]
+   * Creates a landing.
+   *
+   * @param start the drone's position, in the room frame [m]
+   * @param heading the direction of the nose [rad]
    */
   Landing(Vec3 start, double heading, Behavior behavior) {
     this.target = start;
@@ -36,7 +40,7 @@ final class Landing implements Maneuver {
     this.heading = new Setpoint.Heading(heading, 0);
   }
 
-  /** Whether it stands with its motors off. */
+  /** Whether the drone stands on something with its motors off. */
   boolean down() {
     return contact >= CONTACT;
   }

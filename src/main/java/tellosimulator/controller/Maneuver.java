@@ -6,45 +6,45 @@ import tellosimulator.physics.Setpoint;
 import tellosimulator.words.Phrase;
 
 /**
- * One thing that a drone does: it says, step by step, where the drone shall be. Knows nothing of
- * who asked for it, and nothing of replies. For one drone and the simulation thread.
+ * A single action of a drone. It sets the drone's target step by step, and is independent of
+ * commands and replies. Each instance is flown once. Confined to the simulation thread.
  */
 interface Maneuver {
 
   /**
-   * What a maneuver may look at.
+   * The inputs of a maneuver.
    *
-   * @param motion how the drone moves
-   * @param blocked whether it hangs so far behind that the plan must wait
-   * @param onGround whether it stands on something
+   * @param motion the drone's motion
+   * @param blocked whether the drone lags so far behind that the plan must wait
+   * @param onGround whether the drone stands on something
    */
   record Sensed(Motion motion, boolean blocked, boolean onGround) {}
 
-  /** The target for the next step. */
+  /** Advances the plan by {@code seconds}, and returns the target for the next step. */
   Setpoint advance(Sensed sensed, double seconds);
 
-  /** Whether the plan has come to its end; the drone may still have to balance out. */
+  /** Whether the plan has ended. The drone may still have to settle. */
   boolean planned();
 
-  /** How far it is, in plain words: {@code 64 of 100 cm flown}. */
+  /** Describes the progress, such as {@code 64 of 100 cm flown}. */
   Phrase progress();
 
-  /** Why it cannot be flown to its end, if that is so. */
+  /** Returns the reason why the maneuver cannot be completed; empty if it can. */
   default Optional<Phrase> lost() {
     return Optional.empty();
   }
 
-  /** Whether nothing changes until the next command, so that no time need pass. */
+  /** Whether nothing changes until the next command, so that no simulated time needs to pass. */
   default boolean atRest() {
     return false;
   }
 
-  /** Whether {@code rc} may steer on top of it now. */
+  /** Whether {@code rc} can now steer the drone in addition to the maneuver. */
   default boolean steerable() {
     return true;
   }
 
-  /** Whether it may leave the heights in which a drone hovers. */
+  /** Whether the maneuver may leave the range of heights in which the drone hovers. */
   default boolean leavesHoverHeights() {
     return false;
   }

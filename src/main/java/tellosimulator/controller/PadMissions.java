@@ -3,12 +3,7 @@ package tellosimulator.controller;
 import java.util.Comparator;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
-import tellosimulator.command.Command;
-import tellosimulator.command.GeometryRules;
-import tellosimulator.command.PadChoice;
-import tellosimulator.command.Reply;
-import tellosimulator.command.Responder;
+import java.util.function.Function;
 import tellosimulator.math.Arc;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
@@ -17,13 +12,16 @@ import tellosimulator.model.PadSighting;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.words.Phrase;
 
-/** The commands that fly by mission pads. For one drone and the simulation thread. */
+/**
+ * Executes the commands that fly relative to mission pads. One instance per drone, confined to the
+ * simulation thread.
+ */
 final class PadMissions {
 
-  /** Means the pad that was identified first. Documented: SDK 3.0 User Guide. */
+  /** The id that selects the first identified pad. Documented: SDK 3.0 User Guide. */
   private static final int FIRST = -1;
 
-  /** Means the nearest pad. Documented: SDK 3.0 User Guide. */
+  /** The id that selects the nearest pad. Documented: SDK 3.0 User Guide. */
   private static final int NEAREST = -2;
 
   private final DroneModel model;
@@ -36,98 +34,117 @@ final class PadMissions {
     this.planner = planner;
   }
 
-  /** Flies to a point in the pad's frame; the heading stays. */
-  void go(Command.GoToPad command, Responder responder) {
-    seek(
-        command.pad(),
-        responder,
-        pad -> flight.fly(way(pad, command), CompletionHandler.of(responder)));
-  }
-
-  /** Flies an arc through two points in the pad's frame. */
-  void curve(Command.CurveOverPad command, Responder responder) {
-    seek(command.pad(), responder, pad -> curve(pad, command, responder));
+  /**
+   * Flies to a point in the pad's frame. The heading stays the same.
+   *
+   * @param goal the goal [m]
+   * @param speed the speed [m/s]
+   */
+  Result go(Vec3 goal, double speed, PadChoice choice) {
+    return seek(choice, pad -> running(over(pad, place(pad, goal), speed)));
   }
 
   /**
-   * Flies to a point over the first pad, looks for the second one, flies over its middle and turns.
-   * Documented: Mission Pad User Guide.
+   * Flies an arc through two points in the pad's frame.
+   *
+   * @param via the first point [m]
+   * @param end the second point [m]
+   * @param speed the speed [m/s]
    */
-  void jump(Command.Jump command, Responder responder) {
-    CompletionHandler second =
-        CompletionHandler.then(
-            responder,
-            () -> search(command.second(), responder, pad -> cross(pad, command, responder)));
-    seek(command.leg().pad(), responder, pad -> flight.fly(way(pad, command.leg()), second));
+  Result curve(Vec3 via, Vec3 end, double speed, PadChoice choice) {
+    return seek(choice, pad -> curve(pad, place(pad, via), place(pad, end), speed));
   }
 
-  private void curve(PadSighting pad, Command.CurveOverPad command, Responder responder) {
+  /**
+   * Flies to a point over the first pad, searches for the second one, flies over its middle and
+   * turns. Documented: Mission Pad User Guide.
+   *
+   * @param goal the goal in the first pad's frame [m]
+   * @param speed the speed [m/s]
+   * @param heading the heading at the end, in the second pad's frame [rad]
+   */
+  Result jump(Vec3 goal, double speed, PadChoice first, double heading, PadChoice second) {
+    return seek(
+        first,
+        pad -> {
+          Completion there = flight.fly(over(pad, place(pad, goal), speed));
+          return new Result.Running(
+              there.then(() -> search(second, other -> cross(other, goal.z(), speed, heading))));
+        });
+  }
+
+  private Result running(Maneuver maneuver) {
+    return new Result.Running(flight.fly(maneuver));
+  }
+
+  private Result curve(PadSighting pad, Vec3 via, Vec3 end, double speed) {
     Vec3 here = flight.basePosition();
-    Optional<Arc> arc =
-        Arc.through(place(pad, command.via()).minus(here), place(pad, command.end()).minus(here));
-    Optional<Phrase> objection = GeometryRules.radiusObjection(arc);
+    Optional<Arc> arc = Arc.through(via.minus(here), end.minus(here));
+    Optional<Phrase> objection = CurveRadius.objection(arc);
     if (objection.isPresent()) {
-      responder.refuse(Reply.RADIUS, objection.get());
-      return;
+      return new Result.Refused(RefusalKind.RADIUS, objection.get());
     }
-    Maneuver curve = planner.along(new Command.Curve(arc.orElseThrow(), command.speed()), 0);
-    flight.fly(watching(pad, curve, place(pad, command.end())), CompletionHandler.of(responder));
+    return running(watching(pad, planner.along(arc.orElseThrow(), speed, 0), end));
   }
 
-  /** Over the middle of the second pad of a jump. */
-  private void cross(PadSighting pad, Command.Jump command, Responder responder) {
-    Vec3 over = place(pad, new Vec3(0, 0, command.leg().goal().z()));
-    Maneuver way = planner.to(over, command.leg().speed());
-    double heading = pad.pad().attitude().heading() + command.heading();
-    flight.fly(
-        watching(pad, way, over),
-        CompletionHandler.then(responder, () -> turn(heading, responder)));
+  /** Flies over the middle of a jump's second pad, and turns there. */
+  private Result cross(PadSighting pad, double height, double speed, double heading) {
+    Completion there = flight.fly(over(pad, place(pad, new Vec3(0, 0, height)), speed));
+    double end = pad.pad().attitude().heading() + heading;
+    return new Result.Running(
+        there.then(() -> running(planner.turn(Frames.wrapped(end - flight.baseHeading())))));
   }
 
-  /** Goes on with the pad if it is seen; waits for the first look if there was none yet. */
-  private void seek(PadChoice choice, Responder responder, Consumer<PadSighting> next) {
+  /**
+   * Continues with the selected pad if it is in sight, and refuses the command if it is not. If no
+   * detection has run yet, waits for the first one.
+   */
+  private Result seek(PadChoice choice, Function<PadSighting, Result> next) {
     Optional<Phrase> blind = blind();
     Optional<PadSighting> pad = find(choice);
     if (blind.isPresent()) {
-      responder.refuse(Reply.NO_VALID_MARKER, blind.get());
+      return new Result.Refused(RefusalKind.PAD_NOT_SEEN, blind.get());
     } else if (pad.isPresent()) {
-      next.accept(pad.get());
+      return next.apply(pad.get());
     } else if (model.perception().looked()) {
-      responder.refuse(Reply.NO_VALID_MARKER, unseen(choice));
-    } else {
-      search(choice, responder, next);
+      return new Result.Refused(RefusalKind.PAD_NOT_SEEN, unseen(choice));
     }
+    return search(choice, next);
   }
 
-  /** Hovers until the pad is seen, or for as long as it looks for one. */
-  private void search(PadChoice choice, Responder responder, Consumer<PadSighting> next) {
+  /** Hovers until the pad is in sight or the search times out. */
+  private Result search(PadChoice choice, Function<PadSighting, Result> next) {
     PadSearch search =
         new PadSearch(flight.basePosition(), flight.baseHeading(), () -> find(choice).isPresent());
-    Runnable end =
-        () ->
-            find(choice)
-                .ifPresentOrElse(next, () -> responder.fail(Reply.NO_VALID_MARKER, unseen(choice)));
-    flight.fly(search, CompletionHandler.then(responder, end));
+    return new Result.Running(
+        flight
+            .fly(search)
+            .then(
+                () ->
+                    find(choice)
+                        .map(next)
+                        .orElseGet(
+                            () -> new Result.Refused(RefusalKind.PAD_NOT_SEEN, unseen(choice)))));
   }
 
-  private void turn(double heading, Responder responder) {
-    double angle = Frames.wrapped(heading - flight.baseHeading());
-    flight.fly(planner.turn(angle), CompletionHandler.of(responder));
+  private Maneuver over(PadSighting pad, Vec3 goal, double speed) {
+    return watching(pad, planner.to(goal, speed), goal);
   }
 
-  private Maneuver way(PadSighting pad, Command.GoToPad command) {
-    Vec3 goal = place(pad, command.goal());
-    return watching(pad, planner.to(goal, command.speed()), goal);
-  }
-
-  /** Flies to a place as long as the pad is in sight. */
+  /**
+   * Returns a maneuver that fails when the pad is out of sight for too long or the goal is
+   * unreachable.
+   */
   private Maneuver watching(PadSighting pad, Maneuver maneuver, Vec3 goal) {
     return planner.reaches(goal)
         ? PadWatch.over(maneuver, pad.id(), () -> sees(pad.id()))
         : PadWatch.inVain(maneuver);
   }
 
-  /** Whether it is below; one far ahead of the nose says nothing of where the drone is. */
+  /**
+   * Whether the downward camera sees a pad. The drone can determine its position only from such a
+   * pad, and not from one far ahead.
+   */
   private boolean sees(int id) {
     return model.perception().pads().stream().anyMatch(pad -> pad.id() == id && pad.below());
   }
@@ -136,7 +153,7 @@ final class PadMissions {
     return pad.pad().position().plus(pad.pad().attitude().toRoom(inPadFrame));
   }
 
-  /** The pad that is meant, if the camera in the underside sees it. */
+  /** Returns the selected pad if the downward camera sees it. */
   private Optional<PadSighting> find(PadChoice choice) {
     var below = model.perception().pads().stream().filter(PadSighting::below);
     return switch (choice.id()) {
@@ -146,7 +163,7 @@ final class PadMissions {
     };
   }
 
-  /** Why it does not look for pads below. */
+  /** Returns the reason why the downward camera does not detect pads; empty if it does. */
   private Optional<Phrase> blind() {
     return switch (model.perception().padMode()) {
       case OFF -> Optional.of(Phrase.of("pad detection is off, send `mon` first"));
@@ -163,10 +180,10 @@ final class PadMissions {
         : Phrase.of("the drone does not see the pad %s", choice.word());
   }
 
-  /** Hovers until a mission pad is seen, or for as long as it looks for one. */
+  /** Hovers until a mission pad is in sight or the search times out. */
   private static final class PadSearch implements Maneuver {
 
-    /** How long it looks [s]. Assumed: some pictures. */
+    /** Timeout of the search [s]. Assumed: enough for several detections. */
     private static final double PATIENCE = 1;
 
     private final Setpoint.Track place;
@@ -175,9 +192,11 @@ final class PadMissions {
     private boolean found;
 
     /**
-     * @param position where it hovers, room frame [m]
-     * @param heading where the nose points [rad]
-     * @param seen whether the pad is seen now
+     * Creates a search.
+     *
+     * @param position the position to hold, in the room frame [m]
+     * @param heading the direction of the nose [rad]
+     * @param seen whether the pad is in sight now
      */
     PadSearch(Vec3 position, double heading, BooleanSupplier seen) {
       this.place =
@@ -204,12 +223,15 @@ final class PadMissions {
   }
 
   /**
-   * A maneuver by a mission pad, which gives up when the pad is out of sight for too long, or when
-   * its goal cannot be reached.
+   * A maneuver relative to a mission pad. It fails when the pad is out of sight for too long, or
+   * when the goal is unreachable.
    */
   private static final class PadWatch implements Maneuver {
 
-    /** How long it flies without seeing the pad [s]. Measured: 15.2 (Tello-Python issue 88). */
+    /**
+     * Maximum time for which the pad may be out of sight [s]. Measured: 15.2 s (Tello-Python issue
+     * 88).
+     */
     private static final double PATIENCE = 15.2;
 
     private final Maneuver maneuver;
@@ -226,17 +248,20 @@ final class PadMissions {
     }
 
     /**
-     * As long as a pad is in sight.
+     * Returns a maneuver that fails when a pad is out of sight for too long.
      *
-     * @param pad its number
-     * @param seen whether the drone sees it below now
+     * @param pad the pad's number
+     * @param seen whether the downward camera sees the pad now
      */
     static PadWatch over(Maneuver maneuver, int pad, BooleanSupplier seen) {
       Phrase reason = Phrase.of("it has not seen the pad m%d for %.1f s", pad, PATIENCE);
       return new PadWatch(maneuver, seen, true, reason);
     }
 
-    /** To a place below the lowest hover: the drone flies as far as it can, and waits there. */
+    /**
+     * Returns a maneuver for a goal below the lowest hover height. The drone flies down as far as
+     * it can, and waits there until the maneuver fails.
+     */
     static PadWatch inVain(Maneuver maneuver) {
       Phrase reason = Phrase.of("the place is too low, and not reached after %.1f s", PATIENCE);
       return new PadWatch(maneuver, () -> false, false, reason);

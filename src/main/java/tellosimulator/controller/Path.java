@@ -4,19 +4,19 @@ import tellosimulator.math.Arc;
 import tellosimulator.math.Vec3;
 import tellosimulator.physics.Setpoint;
 
-/** A way through the room, measured by the length covered. Immutable. */
+/** A path through the room, parameterized by arc length. Immutable. */
 sealed interface Path {
 
   double length();
 
-  /** Where to be and how to move at a point of the way. */
+  /** Returns the position, velocity and acceleration at a point of the path. */
   Setpoint.Track track(SpeedProfile.Sample sample, Setpoint.Heading heading);
 
   /**
    * A straight line.
    *
-   * @param start room frame [m]
-   * @param direction unit vector, or zero if there is nowhere to go
+   * @param start the start of the line, in the room frame [m]
+   * @param direction a unit vector, or zero for a path of length zero
    */
   record Line(Vec3 start, Vec3 direction, double length) implements Path {
 
@@ -36,12 +36,13 @@ sealed interface Path {
   }
 
   /**
-   * A part of a circle.
+   * A circular arc.
    *
-   * @param start room frame [m]
-   * @param arc relative to the start, in axes turned by {@code turn}
-   * @param turn heading of the arc's axes [rad]
-   * @param miss by how much it ends elsewhere, room frame; it grows evenly on the way [m]
+   * @param start the start of the arc, in the room frame [m]
+   * @param arc the arc relative to the start, in axes turned by {@code turn}
+   * @param turn the heading of the arc's axes [rad]
+   * @param miss the error at the end of the arc, in the room frame [m]; the error grows linearly
+   *     along the path
    */
   record Curve(Vec3 start, Arc arc, double turn, Vec3 miss) implements Path {
 

@@ -3,18 +3,17 @@ package tellosimulator.controller;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
-import tellosimulator.command.Sticks;
 import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behavior;
 import tellosimulator.time.SimTime;
 
 /**
- * What the sticks of {@code rc} ask for: velocities that follow after a dead time with a time
- * constant. For one drone and the simulation thread.
+ * The movement commanded by the sticks of {@code rc}: after a dead time, the velocities follow the
+ * sticks with a time constant. One instance per drone, confined to the simulation thread.
  */
 final class RcSteering {
 
-  /** Speeds below this count as none [m/s, rad/s]. Assumed. */
+  /** Speeds below this are treated as zero [m/s, rad/s]. Assumed. */
   private static final double NEGLIGIBLE = 1e-4;
 
   private record Change(SimTime time, Sticks sticks) {}
@@ -30,7 +29,7 @@ final class RcSteering {
     center();
   }
 
-  /** New values; they stay until the next ones. */
+  /** Sets new stick values. They remain in effect until the next ones. */
   void set(Sticks sticks, SimTime now) {
     if (changes.getLast().time().equals(now)) {
       changes.removeLast();
@@ -38,19 +37,22 @@ final class RcSteering {
     changes.addLast(new Change(now, sticks));
   }
 
-  /** The values that were set last. */
+  /** Returns the latest stick values. */
   Sticks sticks() {
     return changes.getLast().sticks();
   }
 
-  /** Forgets all values, as reset and power-off do. */
+  /** Clears all stick values and the movement, on a reset or power-off. */
   void center() {
     changes.clear();
     changes.add(new Change(SimTime.ZERO, Sticks.CENTERED));
     still();
   }
 
-  /** The drone stands: the values are kept, and act from lift-off on as if set then. */
+  /**
+   * Keeps the stick values while the drone is on the ground. They take effect at lift-off, as if
+   * set at that moment.
+   */
   void hold(SimTime now) {
     Sticks kept = sticks();
     center();
@@ -59,19 +61,19 @@ final class RcSteering {
     }
   }
 
-  /** Forgets the motion, but not the values. */
+  /** Stops the movement, but keeps the stick values. */
   void still() {
     velocity = Vec3.ZERO;
     acceleration = Vec3.ZERO;
     yawRate = 0;
   }
 
-  /** Whether no stick moves the drone, now or soon. */
+  /** Whether the sticks have no effect on the drone, both now and after the dead time. */
   boolean atRest() {
     return changes.size() == 1 && sticks().centered() && velocity.equals(Vec3.ZERO) && yawRate == 0;
   }
 
-  /** Lets the motion follow the sticks for a step. */
+  /** Advances the movement by a step. */
   void follow(SimTime now, double seconds) {
     if (atRest()) {
       return;
@@ -98,17 +100,17 @@ final class RcSteering {
     }
   }
 
-  /** Velocity in the level body frame [m/s]. */
+  /** Returns the velocity in the level body frame [m/s]. */
   Vec3 velocity() {
     return velocity;
   }
 
-  /** Acceleration in the level body frame [m/s²]. */
+  /** Returns the acceleration in the level body frame [m/s²]. */
   Vec3 acceleration() {
     return acceleration;
   }
 
-  /** Turning rate, counter-clockwise [rad/s]. */
+  /** Returns the yaw rate, counter-clockwise [rad/s]. */
   double yawRate() {
     return yawRate;
   }

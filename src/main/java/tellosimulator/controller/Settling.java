@@ -5,27 +5,39 @@ import tellosimulator.model.Motion;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.time.SimTime;
 
-/** Decides when a drone has balanced out on its target. For one drone. */
+/**
+ * Detects when a drone has settled on its target. One instance per drone, confined to the
+ * simulation thread.
+ */
 final class Settling {
 
-  /** Greatest distance from the target [m]. Decided: 1 cm when {@code ok} comes, so a bit less. */
+  /**
+   * Maximum distance from the target [m]. Decided: slightly less than the 1 cm within which a move
+   * ends ({@code docs/protocol.md}).
+   */
   private static final double DISTANCE = 0.006;
 
-  /** Greatest turn from the target [rad]. Decided: 0.5 degrees, so a bit less. */
+  /**
+   * Maximum heading error [rad]. Decided: slightly less than the 0.5 degrees within which a move
+   * ends.
+   */
   private static final double HEADING = StrictMath.toRadians(0.4);
 
-  /** Greatest speed [m/s]. Decided: 5 cm/s, so a bit less. */
+  /**
+   * Maximum speed [m/s]. Decided: slightly less than the 5 cm/s allowed at the time of {@code ok}.
+   */
   private static final double SPEED = 0.03;
 
-  /** After this a drone that wind shakes need only be about where it shall be [s]. Assumed. */
+  /** Time after which a drone in wind only has to be near its target [s]. Assumed. */
   private static final double SHAKEN = 2;
 
-  /** What is about there [m, m/s]. Assumed. */
+  /** Maximum distance at which a drone in wind counts as near its target [m]. Assumed. */
   private static final double ABOUT = 0.15;
 
+  /** Maximum speed at which a drone in wind counts as near its target [m/s]. Assumed. */
   private static final double SHAKING = 0.3;
 
-  /** After this it gives up [s]. Assumed. */
+  /** Time after which the drone gives up settling [s]. Assumed. */
   private static final double PATIENCE = 8;
 
   private final double steadyTime;
@@ -33,7 +45,10 @@ final class Settling {
   private double waited;
 
   /**
-   * @param steadyTime how long it must stay on its target [s]; with 0 it must be there
+   * Creates the detector for a drone.
+   *
+   * @param steadyTime the required time on the target [s]; with 0, reaching the target once is
+   *     enough
    */
   Settling(double steadyTime) {
     this.steadyTime = steadyTime;
@@ -45,9 +60,10 @@ final class Settling {
   }
 
   /**
-   * Looks at the end of a step.
+   * Evaluates the end of a step.
    *
-   * @param steered whether sticks move the target, so that only time counts
+   * @param steered whether sticks or a drift move the target; if so, the drone counts as on its
+   *     target
    * @param pushed whether wind pushes the drone
    */
   void observe(Setpoint setpoint, Motion motion, boolean steered, boolean pushed) {

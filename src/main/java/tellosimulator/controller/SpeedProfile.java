@@ -1,27 +1,27 @@
 package tellosimulator.controller;
 
 /**
- * How a way is covered: accelerate, cruise, brake, from rest to rest. Immutable.
+ * A trapezoidal speed profile: accelerate, cruise, brake, from rest to rest. Immutable.
  *
- * @param length of the way; metres or radians
- * @param peak greatest speed that is reached
- * @param acceleration positive
- * @param braking positive
+ * @param length the length of the path [m or rad]
+ * @param peak the highest speed that is reached [m/s or rad/s]
+ * @param acceleration the acceleration at the beginning, positive [m/s² or rad/s²]
+ * @param braking the deceleration at the end, positive [m/s² or rad/s²]
  */
 record SpeedProfile(double length, double peak, double acceleration, double braking) {
 
-  /** The profile over {@code length} that never exceeds {@code limit}. */
+  /** Returns the profile for a path of a given length. Its speed never exceeds {@code limit}. */
   static SpeedProfile over(double length, double limit, double acceleration, double braking) {
     double reachable = Math.sqrt(2 * length * acceleration * braking / (acceleration + braking));
     return new SpeedProfile(length, Math.min(limit, reachable), acceleration, braking);
   }
 
   /**
-   * Where one is at a time.
+   * The state of a profile at one moment.
    *
-   * @param way covered so far
-   * @param speed along the way
-   * @param acceleration along the way, negative while braking
+   * @param way the distance covered so far
+   * @param speed the speed along the path
+   * @param acceleration the acceleration along the path, negative while braking
    */
   record Sample(double way, double speed, double acceleration) {}
 

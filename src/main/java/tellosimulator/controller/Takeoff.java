@@ -6,16 +6,16 @@ import tellosimulator.physics.Setpoint;
 import tellosimulator.profile.Behavior;
 import tellosimulator.words.Phrase;
 
-/** Starts the motors, climbs, and hovers for a moment. */
+/** A takeoff: the drone starts its motors, climbs, and hovers for a moment. */
 final class Takeoff implements Maneuver {
 
-  /** Acceleration of the climb [m/s²]. Measured: 80 cm at 2.2 s. */
+  /** Climb acceleration [m/s²]. Measured: the drone reaches 80 cm after 2.2 s. */
   private static final double CLIMB_ACCELERATION = 1.6;
 
-  /** Braking of the climb [m/s²]. Measured: 80 cm at 2.2 s. */
+  /** Deceleration at the end of the climb [m/s²]. Measured: the drone reaches 80 cm after 2.2 s. */
   private static final double CLIMB_BRAKING = 0.8;
 
-  /** Time over which the hover creeps up [s]. Measured: from 2.2 to 4.3 s. */
+  /** Duration of the slow rise while hovering [s]. Measured: the rise lasts from 2.2 to 4.3 s. */
   private static final double CREEP_TIME = 2.1;
 
   private final Path path;
@@ -26,9 +26,11 @@ final class Takeoff implements Maneuver {
   private double time;
 
   /**
-   * @param start where it stands, room frame [m]
-   * @param heading where the nose points [rad]
-   * @param height to which it climbs [m]
+   * Creates a takeoff.
+   *
+   * @param start the drone's position on the ground, in the room frame [m]
+   * @param heading the direction of the nose [rad]
+   * @param height the height of the climb [m]
    */
   Takeoff(Vec3 start, double heading, double height, Behavior behavior) {
     this.path = new Path.Line(start, Vec3.UP, height);

@@ -5,7 +5,7 @@ import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.words.Phrase;
 
-/** Turns on the spot: {@code cw} and {@code ccw}. */
+/** A turn on the spot: {@code cw} and {@code ccw}. */
 final class Turn implements Maneuver {
 
   private final Vec3 position;
@@ -15,9 +15,11 @@ final class Turn implements Maneuver {
   private double time = -DroneSpec.TURN_DELAY;
 
   /**
-   * @param position where to stay, room frame [m]
-   * @param start heading at the beginning [rad]
-   * @param angle to turn, counter-clockwise [rad]
+   * Creates a turn.
+   *
+   * @param position the position to hold, in the room frame [m]
+   * @param start the heading at the beginning [rad]
+   * @param angle the angle to turn by, counter-clockwise [rad]
    */
   Turn(Vec3 position, double start, double angle) {
     this.position = position;

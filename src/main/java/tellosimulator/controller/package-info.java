@@ -1,10 +1,11 @@
 /**
- * What a drone does: commands in, targets for the physics out.
+ * The flight logic of a drone. It turns orders into targets for the physics.
  *
- * <p>{@link tellosimulator.controller.DroneController} carries commands out; {@code Flight} goes
- * from maneuver to maneuver; {@code Autopilot} flies one {@code Maneuver} and says when it is over.
- * Each new maneuver is a class that implements {@code Maneuver}. All of it runs on the simulation
- * thread. The package imports {@code command}, {@code physics}, {@code sensor} and what these stand
- * on. Texts of the wire, sockets and the physics themselves are not its job.
+ * <p>{@link tellosimulator.controller.DroneController} carries out orders, regardless of the
+ * protocol through which they arrived, and returns a {@link tellosimulator.controller.Result}.
+ * {@code Flight} manages the sequence of maneuvers. {@code Autopilot} flies one {@code Maneuver}
+ * and decides when the maneuver is over. To add a maneuver, write a class that implements {@code
+ * Maneuver}. Everything is confined to the simulation thread. The package depends on {@code
+ * physics} and {@code fault}. Wire texts, sockets and the physics itself belong to other packages.
  */
 package tellosimulator.controller;

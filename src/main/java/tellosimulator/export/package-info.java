@@ -1,8 +1,8 @@
 /**
- * Recordings in the formats of other tools.
+ * Exports recordings to the formats of other tools.
  *
- * <p>{@link tellosimulator.export.ExportFormat} is the table of them; each has a class that reads a
- * recording line by line, and one that writes its files. For one thread. The package imports {@code
- * recording}. To change or to judge what was recorded is not its job.
+ * <p>{@link tellosimulator.export.ExportFormat} lists the formats. Each format has a class that
+ * reads a recording line by line and writes the file. These classes are not thread-safe. The
+ * package imports {@code recording}. It does not change or evaluate recordings.
  */
 package tellosimulator.export;

@@ -6,21 +6,21 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The faults that are active on a drone at one moment. Immutable; for any thread.
+ * The faults that are active on a drone at one moment. Immutable.
  *
- * @param link how good it is otherwise
- * @param faults that act, in the order in which they began
+ * @param link the basic link quality, to which the faults are added
+ * @param faults the active faults, in the order in which they began
  */
 public record ActiveFaults(LinkPreset link, List<Fault> faults) {
 
-  /** Nothing. */
+  /** An ideal link without faults. */
   public static final ActiveFaults NONE = new ActiveFaults(LinkPreset.IDEAL, List.of());
 
   public ActiveFaults {
     faults = List.copyOf(faults);
   }
 
-  /** The fault of a kind that began last. */
+  /** Returns the most recent active fault of a kind, if any. */
   public Optional<Fault> find(FaultKind kind) {
     if (faults.isEmpty()) {
       return Optional.empty();
@@ -35,8 +35,8 @@ public record ActiveFaults(LinkPreset link, List<Fault> faults) {
   }
 
   /**
-   * What acts on one way over the link, by kind. A fault stands in for one of the same kind that
-   * began before it, or that belongs to the preset.
+   * Returns the faults that are active in one direction of the link, by kind. A fault replaces any
+   * earlier fault of the same kind, including one that belongs to the preset.
    */
   Map<FaultKind, Fault> on(LinkDirection direction) {
     Map<FaultKind, Fault> acting = new EnumMap<>(FaultKind.class);

@@ -11,17 +11,18 @@ import tellosimulator.fault.FaultKind.Range;
 import tellosimulator.words.Phrase;
 
 /**
- * A fault to inject: its kind, target, parameters and time. Immutable; for any thread.
+ * A fault to inject: its kind, target, parameters and time. Immutable.
  *
- * @param values of all parameters of the kind, in SI
+ * @param values the values of all parameters of the kind, in the units given at {@link
+ *     FaultParameter}
  */
 public record Fault(FaultKind kind, Target target, Map<FaultParameter, Double> values, Span span) {
 
   /**
-   * What it concerns.
+   * The target of a fault.
    *
-   * @param drone its number, from 1; empty for all
-   * @param directions of a fault of the link; empty for all that the kind has
+   * @param drone the number of the drone, from 1; empty for all drones
+   * @param directions the directions of a link fault; empty for all directions of the kind
    */
   public record Target(OptionalInt drone, Set<LinkDirection> directions) {
 
@@ -36,34 +37,34 @@ public record Fault(FaultKind kind, Target target, Map<FaultParameter, Double> v
   }
 
   /**
-   * When it acts.
+   * The time during which a fault is active.
    *
-   * @param seconds how long [simulated s]; empty for ever
+   * @param seconds the duration [simulated s]; empty if the fault never ends
    */
   public record Span(Begin begin, OptionalDouble seconds) {
 
-    /** From now on, for ever. */
+    /** The fault begins at once and never ends. */
     public static final Span ALWAYS = new Span(new AtOnce(), OptionalDouble.empty());
   }
 
-  /** When a fault begins. */
+  /** The trigger that begins a fault. */
   public sealed interface Begin {}
 
-  /** As soon as it is known. */
+  /** The fault begins at the start of the simulation, or when it is injected. */
   public record AtOnce() implements Begin {}
 
   /**
-   * After the first takeoff of any drone.
+   * The fault begins after the first takeoff of any drone.
    *
-   * @param seconds how long after it [simulated s]
+   * @param seconds the time after the takeoff [simulated s]
    */
   public record AfterTakeoff(double seconds) implements Begin {}
 
   /**
-   * When a drone takes a command, which is the first that it concerns.
+   * The fault begins when a drone receives a command. This command is the first to be affected.
    *
-   * @param text what the command begins with
-   * @param nth the how manieth such command of the drone, from 1
+   * @param text the beginning of the command
+   * @param nth which of the drone's commands with this beginning triggers the fault, from 1
    */
   public record AfterCommand(String text, int nth) implements Begin {}
 
@@ -114,32 +115,35 @@ public record Fault(FaultKind kind, Target target, Map<FaultParameter, Double> v
   }
 
   /**
-   * Reads a fault of one line, such as {@code loss state 20% drone 2 at 5s for 10s}.
+   * Parses a fault from one line, such as {@code loss state 20% drone 2 at 5s for 10s}.
    *
-   * @throws FaultTextException with a sentence, if it is none
+   * @throws FaultTextException if the text is not a valid fault; the message is one sentence
    */
   public static Fault of(String text) {
     return FaultText.read(text);
   }
 
-  /** A parameter in SI. */
+  /**
+   * Returns the value of a parameter that the kind has, in the unit given at {@link
+   * FaultParameter}.
+   */
   public double value(FaultParameter parameter) {
     return values.get(parameter);
   }
 
-  /** Whether it concerns a way over the link. */
+  /** Whether the fault affects a direction of the link. */
   public boolean concerns(LinkDirection direction) {
     return target.directions().isEmpty()
         ? kind.directions().contains(direction)
         : target.directions().contains(direction);
   }
 
-  /** Whether it concerns a drone. */
+  /** Whether the fault affects a drone. */
   public boolean concerns(int drone) {
     return target.drone().isEmpty() || target.drone().getAsInt() == drone;
   }
 
-  /** In one line, as it is read. */
+  /** Formats the fault as a line that {@link #of} can parse. */
   public String text() {
     return FaultText.write(this);
   }

@@ -7,8 +7,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
-/** All faults that there are, with their parameters. The page {@code docs/faults.md} lists them. */
+/** All kinds of faults, with their parameters. The page {@code docs/faults.md} lists them. */
 public enum FaultKind {
   LOSS(
       "Datagrams never arrive, one by one or in bursts.",
@@ -62,7 +64,7 @@ public enum FaultKind {
       new Range(FaultParameter.HEAT, 60, 120, 95)),
   MOTOR_STOP("Its motors stop in the air, and it falls."),
   REBOOT("It switches itself off, is silent for 8 s, and has forgotten SDK mode."),
-  SILENT_LAND("It lands by itself, and who waits for an answer gets none."),
+  SILENT_LAND("It lands by itself, and a command that is still running gets no reply."),
   WEAK_TAKEOFF(
       "A takeoff ends lower than usual, with `ok`.",
       new Range(FaultParameter.HEIGHT, 0.1, 1, 0.15)),
@@ -91,27 +93,19 @@ public enum FaultKind {
       new Range(FaultParameter.SPREAD, 0, 10, 0),
       new Range(FaultParameter.LEAST, 0, 10, 0),
       new Range(FaultParameter.MOST, 0, 10, 10)),
-  VIDEO_NO_PARAMETERS("The stream has no parameter sets, without which nobody can decode it.");
+  VIDEO_NO_PARAMETERS("The stream has no parameter sets, without which it cannot be decoded.");
 
   /**
-   * A parameter of a fault, in SI.
+   * The range of a parameter of a fault, in the unit given at {@link FaultParameter}.
    *
-   * @param usual what it is if nothing is said
+   * @param usual the default
    */
   public record Range(FaultParameter parameter, double least, double most, double usual) {
 
-    /** For people: {@code 0% to 100%}. */
+    /** Describes the range, such as {@code 0% to 100%}. */
     public String words() {
       FaultParameter.Unit unit = parameter.unit();
       return unit.write(least) + " to " + unit.write(most);
-    }
-  }
-
-  private static final Map<String, FaultKind> BY_WORD = new TreeMap<>();
-
-  static {
-    for (FaultKind kind : values()) {
-      BY_WORD.put(kind.word(), kind);
     }
   }
 
@@ -123,27 +117,31 @@ public enum FaultKind {
     this.ranges = List.of(ranges);
   }
 
-  /** The word that a fault's text begins with. */
+  /** Returns the word at the beginning of a fault's text. */
   public String word() {
     return name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
-  /** What happens, in a sentence for the documentation. */
+  /** Returns a description for the documentation. */
   public String words() {
     return words;
   }
 
-  /** Its parameters; the first one needs no word. */
+  /**
+   * Returns the ranges of the parameters. A fault's text may omit the word of the first parameter.
+   */
   public List<Range> ranges() {
     return ranges;
   }
 
-  /** The range of a parameter, if the fault has it. */
+  /** Returns the range of a parameter; empty if faults of this kind do not have the parameter. */
   Optional<Range> range(FaultParameter parameter) {
     return ranges.stream().filter(range -> range.parameter() == parameter).findFirst();
   }
 
-  /** Which ways it can concern; empty if it concerns none in particular. */
+  /**
+   * Returns the directions of the link that the fault can affect; empty if it is not a link fault.
+   */
   public Set<LinkDirection> directions() {
     return switch (this) {
       case LOSS, DELAY, DUPLICATE, REORDER, CORRUPT, BANDWIDTH, CUT ->
@@ -154,7 +152,10 @@ public enum FaultKind {
     };
   }
 
-  /** What it does to datagrams on its way over the link. */
+  /**
+   * Returns the link fault that has the same effect on datagrams, if this is a fault of the video;
+   * otherwise, this kind.
+   */
   FaultKind onLink() {
     return switch (this) {
       case VIDEO_LOSS -> LOSS;
@@ -163,8 +164,9 @@ public enum FaultKind {
     };
   }
 
-  /** All of them by their words. */
+  /** Returns all kinds, keyed by their words. */
   public static Map<String, FaultKind> byWord() {
-    return new TreeMap<>(BY_WORD);
+    return Stream.of(values())
+        .collect(Collectors.toMap(FaultKind::word, kind -> kind, (a, b) -> a, TreeMap::new));
   }
 }

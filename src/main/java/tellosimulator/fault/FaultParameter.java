@@ -7,38 +7,41 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** How much of a fault there is; each has a word and a unit. */
+/**
+ * The parameters of faults, each with a word and a unit. The comment on each parameter gives the
+ * unit of its value; a fault's text can contain another unit.
+ */
 public enum FaultParameter {
-  /** The part of all datagrams, or of all moves, that is concerned. */
+  /** The affected share of all datagrams, or of all moves, from 0 to 1. */
   SHARE(Unit.PERCENT, "part of the datagrams, or of the moves, that is concerned"),
-  /** Mean number of datagrams that are lost in a row. */
+  /** Mean number of consecutive lost datagrams. */
   BURST(Unit.NUMBER, "mean number of datagrams that are lost in a row"),
-  /** How long it takes. */
+  /** A duration or delay [s]. */
   TIME(Unit.MILLISECONDS, "how long it takes"),
-  /** What a sixth of all delays exceeds the median by. */
+  /** Spread of the delays [s]: a sixth of them exceeds the median by at least this much. */
   SPREAD(Unit.MILLISECONDS, "what a sixth of the delays is longer than the median by, or more"),
-  /** The shortest delay. */
+  /** The minimum delay [s]. */
   LEAST(Unit.MILLISECONDS, "shortest delay"),
-  /** The longest delay. */
+  /** The maximum delay [s]. */
   MOST(Unit.MILLISECONDS, "longest delay"),
-  /** Time from one to the next. */
+  /** The period of a repeated effect [s]. */
   EVERY(Unit.MILLISECONDS, "time from one to the next"),
-  /** How fast a drone drifts. */
+  /** The speed at which a drone drifts [m/s]. */
   SPEED(Unit.CENTIMETERS_A_SECOND, "how fast it drifts"),
-  /** How high a drone gets. */
+  /** The height that a drone reaches [m]. */
   HEIGHT(Unit.CENTIMETERS, "how high it gets"),
-  /** What a reading is wrong by. */
+  /** The error of a reading [m]. */
   STEP(Unit.CENTIMETERS, "what the reading jumps by"),
-  /** How fast a reading turns. */
+  /** The rate at which a reading turns [degrees/s]. */
   TURN(Unit.DEGREES_A_SECOND, "how fast the reading turns"),
-  /** What is left. */
+  /** The remaining charge, from 0 to 1. */
   LEVEL(Unit.PERCENT, "what is left"),
-  /** How hot something is. */
+  /** A temperature [°C]. */
   HEAT(Unit.CELSIUS, "how hot it gets"),
-  /** Bits a second. */
+  /** A bit rate [bit/s]. */
   RATE(Unit.KILOBITS, "how much goes through");
 
-  /** A unit, as people write it. */
+  /** A unit in a fault's text, with the factor that converts it to the unit of the value. */
   public enum Unit {
     PERCENT("%", 0.01),
     NUMBER("", 1),
@@ -53,7 +56,7 @@ public enum FaultParameter {
     private static final Pattern QUANTITY =
         Pattern.compile("([0-9]{1,9}(?:\\.[0-9]{1,9})?)([a-zC%/]*)");
 
-    /** Units of time, each of which can stand for the others [s]. */
+    /** The units of time, with their lengths [s]. They are interchangeable in a text. */
     private static final Map<String, Double> TIMES = Map.of("ms", 0.001, "s", 1.0, "min", 60.0);
 
     private final String symbol;
@@ -68,7 +71,12 @@ public enum FaultParameter {
       return symbol;
     }
 
-    /** A quantity in SI; empty if it is none. Without a unit, this one is meant. */
+    /**
+     * Parses a quantity, and converts it to the unit of the value. A number without a unit is taken
+     * to be in this unit.
+     *
+     * @return the value; empty if the word is not a quantity
+     */
     public Optional<Double> read(String word) {
       Matcher parts = QUANTITY.matcher(word);
       if (!parts.matches()) {
@@ -83,12 +91,15 @@ public enum FaultParameter {
       return Optional.ofNullable(time ? TIMES.get(unit) : null).map(of -> inSi(number, of));
     }
 
-    /** To the billionth, so that what was written is read as the same. */
+    /**
+     * Converts a number in decimal arithmetic, so that a formatted quantity is parsed to the same
+     * value.
+     */
     private static double inSi(BigDecimal number, double factor) {
       return number.multiply(BigDecimal.valueOf(factor)).doubleValue();
     }
 
-    /** A quantity of SI, as it is read. */
+    /** Formats a value as a quantity in this unit. */
     String write(double value) {
       BigDecimal number = BigDecimal.valueOf(value);
       if (this == MILLISECONDS || this == SECONDS) {
@@ -104,7 +115,7 @@ public enum FaultParameter {
       return stripped.toPlainString();
     }
 
-    /** Whether a word is a unit that can stand apart from its number. */
+    /** Whether a word is a unit. A space may separate it from its number. */
     static boolean known(String word) {
       return TIMES.containsKey(word)
           || java.util.Arrays.stream(values()).anyMatch(unit -> unit.symbol.equals(word));
@@ -123,12 +134,12 @@ public enum FaultParameter {
     return unit;
   }
 
-  /** The word in a fault's text. */
+  /** Returns the word in a fault's text. */
   public String word() {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** What it is, for the documentation. */
+  /** Returns a description for the documentation. */
   public String words() {
     return words;
   }

@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What goes wrong in a simulation from its start on. Immutable.
+ * The faults that are planned before a simulation starts, and the quality of the link. Immutable.
  *
- * @param link how good it is; empty for that of each drone's behaviour
+ * @param link the quality of the link; empty for the default of each drone's behaviour
  */
 public record FaultPlan(Optional<LinkPreset> link, List<Fault> faults) {
 
-  /** Nothing is asked for. */
+  /** A plan without faults and with the default link quality. */
   public static final FaultPlan NONE = new FaultPlan(Optional.empty(), List.of());
 
   public FaultPlan {

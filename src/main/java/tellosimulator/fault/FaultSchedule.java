@@ -10,21 +10,21 @@ import tellosimulator.fault.Fault.Begin;
 import tellosimulator.time.SimTime;
 
 /**
- * Tracks which faults are active on each drone, and when they begin and end. For the simulation
- * thread.
+ * Tracks which faults are active on each drone, and when they begin and end. Confined to the
+ * simulation thread.
  *
- * <p>The clock of {@code at} starts with the first takeoff of any drone, and anew when a person
- * puts a drone back: then the faults of the plan begin again in their turn.
+ * <p>Times given with {@code at} count from the first takeoff of any drone. When a drone is put
+ * back at its start, this count is reset, and the faults of the plan begin again when they are due.
  */
 public final class FaultSchedule {
 
-  /** Is told what begins and ends. */
+  /** A listener that is notified when faults begin and end. */
   public interface Observer {
 
-    /** A fault acts from now on. */
+    /** Called when a fault begins to affect a drone. */
     void began(int drone, Fault fault);
 
-    /** A fault acts no more. */
+    /** Called when a fault no longer affects a drone. */
     void ended(int drone, Fault fault);
   }
 
@@ -53,7 +53,7 @@ public final class FaultSchedule {
       return fault.span().begin();
     }
 
-    /** Whether it acts from the start to the end. */
+    /** Whether the fault begins at once and never ends. */
     private boolean lasting() {
       return begin() instanceof AtOnce && fault.span().seconds().isEmpty();
     }
@@ -63,12 +63,15 @@ public final class FaultSchedule {
   private final Observer observer;
   private final List<Entry> entries = new ArrayList<>();
 
-  /** Those that act, in the order in which they began. */
+  /** The active faults, in the order in which they began. */
   private final List<Entry> acting = new ArrayList<>();
 
   private Optional<SimTime> takeoff = Optional.empty();
 
-  /** Nothing acts yet; {@link #advance} begins. */
+  /**
+   * Creates a schedule in which no fault is active yet. The first call of {@link #advance} begins
+   * the faults that are due at the start.
+   */
   public FaultSchedule(FaultPlan plan, int drones, Observer observer) {
     this.drones = drones;
     this.observer = observer;
@@ -83,25 +86,25 @@ public final class FaultSchedule {
     }
   }
 
-  /** What acts on a drone, in the order in which it began. */
+  /** Returns the faults that are active on a drone, in the order in which they began. */
   public List<Fault> acting(int drone) {
     return acting.stream().filter(entry -> entry.drone == drone).map(entry -> entry.fault).toList();
   }
 
-  /** One more fault, which begins at once unless it waits for something. */
+  /** Adds a fault. It begins at once unless it has a later trigger. */
   public void inject(Fault fault, SimTime now) {
     entries.removeIf(entry -> entry.state == State.OVER && !entry.planned);
     add(fault, false);
     advance(now);
   }
 
-  /** No fault any more. */
+  /** Ends and removes all faults. */
   public void clear() {
     List.copyOf(acting).forEach(this::end);
     entries.clear();
   }
 
-  /** Lets the faults of the plan begin in their turn again. */
+  /** Resets the faults of the plan, so that they begin again when they are due. */
   public void restart(SimTime now) {
     takeoff = Optional.empty();
     for (Entry entry : entries) {
@@ -116,7 +119,7 @@ public final class FaultSchedule {
     advance(now);
   }
 
-  /** A drone took off. */
+  /** Records that a drone has taken off. */
   public void tookOff(SimTime now) {
     if (takeoff.isEmpty()) {
       takeoff = Optional.of(now);
@@ -124,7 +127,7 @@ public final class FaultSchedule {
     }
   }
 
-  /** A drone takes a command, and has not carried it out yet. */
+  /** Records that a drone has received a command. Called before the command is carried out. */
   public void commanded(int drone, String text, SimTime now) {
     for (Entry entry : entries) {
       if (entry.drone == drone
@@ -137,7 +140,7 @@ public final class FaultSchedule {
     }
   }
 
-  /** Begins and ends what is due. */
+  /** Begins and ends the faults that are due. */
   public void advance(SimTime now) {
     if (entries.isEmpty()) {
       return;

@@ -26,21 +26,22 @@ import tellosimulator.words.Phrase;
 import tellosimulator.words.Spelling;
 
 /**
- * A fault in one line: its word, then in any order the directions, parameters, and {@code drone N},
- * {@code at TIME}, {@code after [2nd] "COMMAND"}, {@code for TIME}. For one thread.
+ * Parses a fault from one line of text, and formats it as such a line. The line begins with the
+ * fault's word. The rest can be in any order: directions, parameters, {@code drone N}, {@code at
+ * TIME}, {@code after [2nd] "COMMAND"}, {@code for TIME}. The static methods are thread-safe.
  */
 public final class FaultText {
 
-  /** Highest number that a drone can have in a text. */
+  /** Maximum drone number in a text. */
   private static final int MOST_DRONES = 1000;
 
-  /** Longest time [s]: a day. */
+  /** Maximum time in a text [s]: one day. */
   public static final double LONGEST = 86_400;
 
-  /** Longest beginning of a command [characters]. */
+  /** Maximum length of the beginning of a command [characters]. */
   public static final int LONGEST_COMMAND = 100;
 
-  /** Highest number of a command that a fault waits for. */
+  /** Maximum ordinal of a command that triggers a fault. */
   public static final int HIGHEST_NTH = 1000;
 
   private static final String DRONE = "drone";
@@ -52,7 +53,7 @@ public final class FaultText {
   private static final Pattern ORDINAL = Pattern.compile("([0-9]{1,4})(st|nd|rd|th|\\.)");
   private static final Pattern NUMBER = Pattern.compile("[0-9]{1,9}(\\.[0-9]{1,9})?");
 
-  /** A word, or what stands in quotation marks. */
+  /** A word, or a text in quotation marks. */
   private record Token(String text, boolean quoted) {}
 
   private final FaultKind kind;
@@ -71,9 +72,9 @@ public final class FaultText {
   }
 
   /**
-   * Reads a fault.
+   * Parses a fault.
    *
-   * @throws FaultTextException with a sentence, if it is none
+   * @throws FaultTextException if the text is not a valid fault; the message is one sentence
    */
   public static Fault read(String text) {
     List<Token> tokens = tokens(text);
@@ -85,9 +86,9 @@ public final class FaultText {
   }
 
   /**
-   * The fault of a word.
+   * Returns the kind that a word names.
    *
-   * @throws FaultTextException if there is none, with the nearest one
+   * @throws FaultTextException if there is no such kind; the message suggests the nearest word
    */
   static FaultKind kind(String word) {
     FaultKind known = FaultKind.byWord().get(word);
@@ -97,7 +98,7 @@ public final class FaultText {
     return known;
   }
 
-  /** A word that is none of those that are known. */
+  /** Creates the exception for an unknown word. */
   static FaultTextException unknown(String word, Collection<String> known) {
     return new FaultTextException(
         Spelling.meant(word, known)
@@ -186,9 +187,9 @@ public final class FaultText {
   }
 
   /**
-   * After a command.
+   * Creates a trigger that begins a fault when a command arrives.
    *
-   * @throws FaultTextException if there is no text, or too much
+   * @throws FaultTextException if the text is empty or too long
    */
   static AfterCommand command(String text, int nth) {
     if (text.isBlank() || text.length() > LONGEST_COMMAND) {
@@ -213,9 +214,9 @@ public final class FaultText {
   }
 
   /**
-   * A quantity in SI.
+   * Parses a quantity, and converts it to the unit given at {@link FaultParameter}.
    *
-   * @throws FaultTextException if it is none
+   * @throws FaultTextException if the word is not a quantity
    */
   public static double quantity(FaultParameter parameter, String word) {
     return parameter
@@ -238,9 +239,10 @@ public final class FaultText {
   }
 
   /**
-   * A time in seconds.
+   * Parses a time, and converts it to seconds.
    *
-   * @throws FaultTextException if it is none
+   * @param clause the word before the time: {@code at} or {@code for}
+   * @throws FaultTextException if the word is not a time, or the time is out of range
    */
   public static double time(String word, String clause) {
     return Unit.SECONDS
@@ -300,7 +302,10 @@ public final class FaultText {
                         kind.word(), shown, String.join(", ", known))));
   }
 
-  /** A word in quotation marks, of which only what can be read. */
+  /**
+   * Replaces the control characters in a word with spaces, truncates the word, and puts it in
+   * quotation marks.
+   */
   private static String shown(String word) {
     String clean =
         word.codePoints()
@@ -311,7 +316,7 @@ public final class FaultText {
     return "\"" + clean + "\"";
   }
 
-  // --- the other way ---
+  // --- formatting ---
 
   static String write(Fault fault) {
     StringBuilder text = new StringBuilder(what(fault));

@@ -2,7 +2,10 @@ package tellosimulator.fault;
 
 import tellosimulator.words.Phrase;
 
-/** A fault that cannot be: misspelt, out of range, or of something that it does not have. */
+/**
+ * Thrown if the text of a fault is misspelt, contains a value out of range, or contains a parameter
+ * that faults of its kind do not have.
+ */
 public final class FaultTextException extends IllegalArgumentException {
 
   private static final long serialVersionUID = 1;
@@ -14,7 +17,7 @@ public final class FaultTextException extends IllegalArgumentException {
     this.phrase = phrase;
   }
 
-  /** What is wrong, in any language. */
+  /** Returns the message as a translatable phrase. */
   public Phrase phrase() {
     return phrase;
   }

@@ -2,18 +2,18 @@ package tellosimulator.fault;
 
 import java.util.Locale;
 
-/** The kind of traffic on the link between a drone and its operator. For any thread. */
+/** The kind of traffic on the link between a drone and its operator. */
 public enum LinkDirection {
-  /** From whoever sends them to the drone. */
+  /** Commands, from any sender to the drone. */
   COMMANDS,
-  /** From the drone to whoever sent the command. */
+  /** Replies, from the drone to the sender of the command. */
   REPLIES,
   /** State lines, from the drone to its operator. */
   STATE,
-  /** Pictures, from the drone to its operator. */
+  /** Video frames, from the drone to its operator. */
   VIDEO;
 
-  /** The word in a fault's text. */
+  /** Returns the word that stands for this direction in the text of a fault. */
   public String word() {
     return name().toLowerCase(Locale.ROOT);
   }

@@ -7,16 +7,17 @@ import java.util.Map;
 import java.util.stream.Stream;
 import tellosimulator.profile.Behavior;
 
-/** How good the link is when nobody says more: faults that act all the time. */
+/** The basic quality of the link, as a set of permanently active faults. */
 public enum LinkPreset {
-  /** Nothing is lost, and nothing takes time. */
+  /** No loss, and no delay. */
   IDEAL(),
 
   /**
    * One drone and its operator in a quiet room. Measured: TelloPy 0.7.0, docs/sensor_time.md,
-   * September 2026: a query takes 5 to 228 ms, median 44, 95th percentile 124; 2 % are never
-   * answered; of the state lines 6 to 15 % are missing, with 25 to 35 ms of scatter and gaps of up
-   * to 0.6 s. Assumed: commands and replies are lost equally often.
+   * September 2026: a query takes 5 to 228 ms, with a median of 44 ms and a 95th percentile of 124
+   * ms. 2 % of the queries are never answered. 6 to 15 % of the state lines are missing; the others
+   * have 25 to 35 ms of jitter and gaps of up to 0.6 s. Assumed: commands and replies are lost
+   * equally often.
    */
   LAB(
       "loss commands replies 1%",
@@ -25,8 +26,9 @@ public enum LinkPreset {
       "delay state 25ms spread 20ms"),
 
   /**
-   * A handful of drones in one room. Assumed: about twice as bad as the lab, with longer bursts;
-   * that commands to one of four drones get lost is told in DJITelloPy, pull request 17.
+   * A handful of drones in one room. Assumed: the link is about twice as bad as in the lab, with
+   * longer bursts of loss. DJITelloPy, pull request 17, reports the loss of commands to one of four
+   * drones.
    */
   CLASSROOM(
       "loss commands replies 3% burst 2",
@@ -49,20 +51,20 @@ public enum LinkPreset {
     this.texts = List.of(texts);
   }
 
-  /** What a drone of a behaviour has unless somebody says otherwise. */
+  /** Returns the default preset of a behaviour. */
   public static LinkPreset usual(Behavior behavior) {
     return behavior == Behavior.MEASURED ? LAB : IDEAL;
   }
 
-  /** The word that chooses it. */
+  /** Returns the word that selects this preset. */
   public String option() {
     return name().toLowerCase(Locale.ROOT);
   }
 
   /**
-   * The preset of a word.
+   * Returns the preset for a word.
    *
-   * @throws FaultTextException if there is none, with the nearest one
+   * @throws FaultTextException if there is no such preset; the message suggests the nearest word
    */
   public static LinkPreset of(String word) {
     return Stream.of(values())
@@ -71,17 +73,20 @@ public enum LinkPreset {
         .orElseThrow(() -> FaultText.unknown(word, options()));
   }
 
-  /** All words, from good to bad. */
+  /** Returns the words of all presets, from good to bad. */
   public static List<String> options() {
     return Stream.of(values()).map(LinkPreset::option).toList();
   }
 
-  /** What acts all the time. */
+  /** Returns the permanently active faults of this preset. */
   List<Fault> faults() {
     return this == IDEAL ? List.of() : Parsed.FAULTS.get(this);
   }
 
-  /** Read when they are needed for the first time, which is never on an ideal link. */
+  /**
+   * Holds the faults of all presets, which are parsed on first use. An ideal link needs none of
+   * them.
+   */
   private static final class Parsed {
 
     private static final Map<LinkPreset, List<Fault>> FAULTS = new EnumMap<>(LinkPreset.class);

@@ -5,12 +5,12 @@ import tellosimulator.sensor.SensorReadings;
 import tellosimulator.sensor.SensorReadings.Range;
 import tellosimulator.sensor.TimeOfFlight;
 
-/** What faults make of the readings of sensors. */
+/** Applies faults to sensor readings. */
 public final class SensorFaults {
 
   private SensorFaults() {}
 
-  /** The readings with what is wrong about them. */
+  /** Returns the readings with the errors caused by the active faults. */
   public static SensorReadings applied(SensorReadings readings, ActiveFaults faults) {
     if (faults.faults().isEmpty()) {
       return readings;

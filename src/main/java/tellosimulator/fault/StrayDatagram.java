@@ -1,39 +1,40 @@
 package tellosimulator.fault;
 
 /**
- * Binary datagrams as a real drone sends them to the command socket in SDK mode: the app's
- * protocol, about Wi-Fi, light and flight. Measured: tellopilots.com 4805, DJITelloPy issue 164;
- * layout and checksums from TelloPy 0.7.0.
+ * Creates the binary datagrams that a real drone sends to the command socket in SDK mode. They
+ * belong to the app's protocol, and contain information on Wi-Fi, light and flight. Measured:
+ * tellopilots.com 4805, DJITelloPy issue 164. The layout and the checksums are from TelloPy 0.7.0.
  */
 public final class StrayDatagram {
 
-  /** CRC-8, polynomial 0x31, reflected. */
+  /** Polynomial of the CRC-8 over the header: 0x31, reflected. */
   private static final int POLYNOMIAL_8 = 0x8c;
 
   private static final int START_8 = 0x77;
 
-  /** CRC-16, polynomial 0x1021, reflected. */
+  /** Polynomial of the CRC-16 over the whole datagram: 0x1021, reflected. */
   private static final int POLYNOMIAL_16 = 0x8408;
 
   private static final int START_16 = 0x3692;
 
   private static final int BYTE = 0xff;
 
-  /** Header and checksums [bytes]. */
+  /** Length of the header and the checksums [bytes]. */
   private static final int FRAME = 11;
 
   private static final char MARK = 0xcc;
 
-  /** From the drone, information. */
+  /** Packet type: information from the drone. */
   private static final char KIND = 0x88;
 
   private StrayDatagram() {}
 
   /**
-   * One after the other: 12 bytes on light, 13 on Wi-Fi, 35 on flight.
+   * Returns a datagram of one of three kinds, which take turns: 12 bytes on light, 13 bytes on
+   * Wi-Fi, and 35 bytes on flight.
    *
-   * @param number from 0
-   * @return one character a byte (ISO-8859-1)
+   * @param number the sequence number of the datagram, from 0
+   * @return the datagram, one character per byte (ISO-8859-1)
    */
   public static String of(int number) {
     return switch (number % 3) {
@@ -43,7 +44,11 @@ public final class StrayDatagram {
     };
   }
 
-  /** A message in its frame. */
+  /**
+   * Puts a message into a frame.
+   *
+   * @param data one character per byte (ISO-8859-1)
+   */
   static String framed(int id, int sequence, String data) {
     int length = FRAME + data.length();
     StringBuilder frame = new StringBuilder().append(MARK);
@@ -56,7 +61,7 @@ public final class StrayDatagram {
     return frame.toString();
   }
 
-  /** Little-endian. */
+  /** Appends a 16-bit number in little-endian order. */
   private static void appendShort(StringBuilder frame, int value) {
     frame.append((char) (value & BYTE)).append((char) (value >> 8 & BYTE));
   }

@@ -17,12 +17,16 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
 /**
- * Replaces a whole file: the new content is written to a file beside it, which then takes its name.
- * Whatever fails before that leaves the file as it was. For any thread.
+ * Replaces a whole file. The new content is written to a temporary file in the same folder, and the
+ * temporary file is then renamed. If any step before the renaming fails, the original file is
+ * unchanged. Thread-safe, but two threads must not write the same file at the same time.
  */
 public final class AtomicFile {
 
-  /** Distinguishes the files that several programs write at the same time. */
+  /**
+   * The process id. It is part of the names of temporary files, so that two processes that write
+   * the same file at the same time use different names.
+   */
   private static final long PROCESS = ProcessHandle.current().pid();
 
   private AtomicFile() {}
@@ -32,17 +36,17 @@ public final class AtomicFile {
   public interface Content {
 
     /**
-     * Writes all of it.
+     * Writes the whole content.
      *
-     * @param out buffered; closed afterwards
+     * @param out a buffered stream; the caller closes it afterwards
      */
     void write(OutputStream out) throws IOException;
   }
 
   /**
-   * Writes all of a file, or leaves it as it is. A link is followed, and permissions are kept.
+   * Writes the whole file, or leaves it unchanged. Follows links and keeps permissions.
    *
-   * @throws IOException if the file cannot be written, or from the content
+   * @throws IOException if the file cannot be written, or if {@code content} throws one
    */
   public static void write(Path file, Content content) throws IOException {
     IrregularFileException.check(file);
@@ -59,7 +63,7 @@ public final class AtomicFile {
           OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel))) {
         content.write(out);
         out.flush();
-        channel.force(true); // or a power cut could leave an empty file under the name
+        channel.force(true); // otherwise, a power failure could leave an empty file
       }
       keepPermissions(target, beside);
       Files.move(beside, target, ATOMIC_MOVE, REPLACE_EXISTING);

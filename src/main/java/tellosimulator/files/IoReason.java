@@ -9,12 +9,12 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import tellosimulator.words.Phrase;
 
-/** Why a file could not be written or read, in words for people. */
+/** Finds the reason why a file could not be read or written, in words for users. */
 public final class IoReason {
 
   private IoReason() {}
 
-  /** Why it could not be read. */
+  /** Returns the reason why a file could not be read. */
   public static String ofReading(IOException e) {
     if (e instanceof AccessDeniedException) {
       return "you may not read it";
@@ -29,9 +29,9 @@ public final class IoReason {
   }
 
   /**
-   * Why something failed that reads some files and writes others.
+   * Returns the reason for the failure of an operation that reads some files and writes others.
    *
-   * @param written the file that is written, or the folder; others are read
+   * @param written the file or folder to be written; every other file is only read
    */
   public static String of(IOException e, Path written) {
     if (!(e instanceof FileSystemException system) || system.getFile() == null) {
@@ -39,12 +39,15 @@ public final class IoReason {
     }
     Path file = Path.of(system.getFile()).toAbsolutePath();
     Path target = written.toAbsolutePath();
-    return file.startsWith(target) || target.startsWith(file) // folders above are made
+    return file.startsWith(target) || target.startsWith(file) // parent folders are created as well
         ? of(e).toString()
         : system.getFile() + " cannot be read: " + ofReading(e);
   }
 
-  /** Why it could not be written: a phrase, or a text that is the same in all languages. */
+  /**
+   * Returns the reason why a file could not be written: a {@link Phrase}, or a string that is the
+   * same in all languages.
+   */
   public static Object of(IOException e) {
     if (e instanceof AccessDeniedException denied) {
       return Phrase.of("you may not write to %s", denied.getFile());

@@ -4,7 +4,10 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** There is something else than a file, such as a pipe, which may block, or a device. */
+/**
+ * Thrown if a path leads to something other than a regular file: for example to a folder, or to a
+ * pipe on which a read may block.
+ */
 public final class IrregularFileException extends FileSystemException {
 
   private static final long serialVersionUID = 1;
@@ -14,9 +17,9 @@ public final class IrregularFileException extends FileSystemException {
   }
 
   /**
-   * Looks what a path leads to.
+   * Checks that a path leads to a regular file, or that nothing exists there.
    *
-   * @throws IrregularFileException if that is there and no regular file
+   * @throws IrregularFileException if the path leads to anything else
    */
   public static void check(Path path) throws IrregularFileException {
     if (Files.exists(path) && !Files.isRegularFile(path)) {

@@ -8,13 +8,13 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 
-/**
- * A folder for files that nobody wants to keep, deleted with all that is in it when it is closed.
- * For any thread.
- */
+/** A temporary folder. Closing it deletes the folder and all of its contents. Thread-safe. */
 public final class TemporaryFolder implements AutoCloseable {
 
-  /** Another thread may still make files in it, as when the program is told to end. Decided. */
+  /**
+   * Maximum number of attempts to delete the folder. Decided: an attempt can fail because another
+   * thread is still creating files in the folder, for example while the program is shutting down.
+   */
   private static final int ATTEMPTS = 10;
 
   private final Path path;
@@ -24,10 +24,10 @@ public final class TemporaryFolder implements AutoCloseable {
   }
 
   /**
-   * Makes one where the system keeps such things.
+   * Creates a folder in the system's temporary directory.
    *
-   * @param prefix of its name
-   * @throws IOException if there can be none
+   * @param prefix prefix of the folder's name
+   * @throws IOException if the folder cannot be created
    */
   public static TemporaryFolder create(String prefix) throws IOException {
     return new TemporaryFolder(Files.createTempDirectory(prefix));
@@ -37,21 +37,29 @@ public final class TemporaryFolder implements AutoCloseable {
     return path;
   }
 
-  /** What cannot be deleted stays: the system cleans up. Does nothing the second time. */
+  /**
+   * Deletes the folder. Files that cannot be deleted remain until the system cleans up its
+   * temporary directory. A second call does nothing.
+   */
   @Override
   public void close() {
     for (int i = 0; i < ATTEMPTS && Files.exists(path); i++) {
       try {
-        deleteAll();
+        deleteAll(path);
       } catch (IOException | UncheckedIOException e) {
-        // something has appeared or gone meanwhile, or cannot be deleted
+        // the contents have changed in the meantime, or cannot be deleted
       }
     }
   }
 
-  private void deleteAll() throws IOException {
+  /**
+   * Deletes a folder and all of its contents; links are deleted, not followed.
+   *
+   * @throws IOException if the folder does not exist, or something cannot be deleted
+   */
+  public static void deleteAll(Path folder) throws IOException {
     List<Path> all;
-    try (Stream<Path> found = Files.walk(path)) {
+    try (Stream<Path> found = Files.walk(folder)) {
       all = found.sorted(Comparator.reverseOrder()).toList();
     }
     for (Path each : all) {

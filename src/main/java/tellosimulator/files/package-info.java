@@ -1,10 +1,9 @@
 /**
- * What the program's files have in common.
+ * Common operations on files.
  *
- * <p>{@link tellosimulator.files.IoReason} says in words for people why a file could not be read or
+ * <p>{@link tellosimulator.files.IoReason} explains to users why a file could not be read or
  * written; {@link tellosimulator.files.AtomicFile} replaces a whole file; {@link
- * tellosimulator.files.TemporaryFolder} is deleted at the end. Nothing here keeps state; all of it
- * is for any thread. The package imports nothing of the project. What stands in a file is not its
- * job.
+ * tellosimulator.files.TemporaryFolder} is deleted when it is closed. All classes are thread-safe.
+ * The package imports only {@code words}. The content of files is not its job.
  */
 package tellosimulator.files;

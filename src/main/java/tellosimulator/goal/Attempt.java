@@ -8,33 +8,34 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
-import tellosimulator.goal.Observation.Course;
+import java.util.function.Consumer;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.model.DroneState;
+import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
-/** One try at a challenge, from the drones' starts to success or failure. */
+/** An attempt at a challenge, from the drones' starts to success or failure. */
 final class Attempt {
 
   /**
-   * A goal was reached.
+   * A goal that was reached.
    *
-   * @param index of the goal, from 0
-   * @param drone that reached it
+   * @param index the index of the goal, from 0
+   * @param drone the number of the drone that reached it
    */
   record Won(int index, int drone) {}
 
   /**
-   * A drone came near a goal.
+   * A goal that was nearly reached.
    *
    * @param phrase a clause about the drone
    */
   record Missed(int drone, Phrase phrase) {}
 
-  /** What came of a step. */
+  /** The outcome of a step. */
   record Outcome(List<Won> won, List<Missed> missed) {
     static final Outcome NOTHING = new Outcome(List.of(), List.of());
   }
@@ -45,11 +46,19 @@ final class Attempt {
   private Optional<Course> course = Optional.empty();
   private List<DroneSnapshot> before = List.of();
   private Optional<SimTime> takeoff = Optional.empty();
+  private final Scorer scorer;
   private Progress progress;
+  private boolean over;
 
-  Attempt(Challenge challenge) {
+  /**
+   * Creates an attempt.
+   *
+   * @param penalties receives each entry of the score with points that were lost by an infraction
+   */
+  Attempt(Challenge challenge, Consumer<Score.Entry> penalties) {
     this.challenge = challenge;
     this.progress = Progress.start(challenge);
+    this.scorer = new Scorer(challenge, penalties);
     challenge.goals().forEach(goal -> held.add(new HashMap<>()));
   }
 
@@ -57,21 +66,55 @@ final class Attempt {
     return progress;
   }
 
-  /** The goals cannot be reached any more. */
+  Tally tally() {
+    return scorer.tally();
+  }
+
+  /** Whether goals can still be reached. */
+  boolean running() {
+    return !over && progress.status() == Status.RUNNING && !challenge.goals().isEmpty();
+  }
+
+  /** Ends the attempt as a failure, because the remaining goals can no longer be reached. */
   void fail(Phrase reason) {
-    progress =
-        new Progress(
-            challenge,
-            progress.reached(),
-            progress.elapsed(),
-            Optional.of(reason),
-            progress.miss());
+    progress = progress.failed(reason);
+  }
+
+  /** Makes the verdict final: no goal can be reached any more, and points for time are added. */
+  void judge() {
+    over = true;
+    scorer.judge(progress);
+    progress = progress.withScore(scorer.score());
+  }
+
+  /** Ends the attempt together with the run. */
+  void close(SimTime now) {
+    judge();
+    scorer.close(seconds(now));
+    progress = progress.withScore(scorer.score());
+  }
+
+  /** Counts an event of a drone. */
+  void take(SimEvent.ForDrone event) {
+    scorer.take(event, seconds(event.time()));
+    progress = progress.withScore(scorer.score());
+  }
+
+  /** Counts the landings in a step. */
+  void settle(SimSnapshot snapshot) {
+    scorer.step(snapshot.drones(), seconds(snapshot.time()));
+    progress = progress.withScore(scorer.score());
+  }
+
+  /** Returns the time since the first takeoff [s]; 0 before it. */
+  private double seconds(SimTime now) {
+    return takeoff.map(now::since).orElse(0.0);
   }
 
   /**
-   * Judges a step.
+   * Evaluates a step.
    *
-   * @return the goals that were reached in it, or nearly
+   * @return the goals that were reached or nearly reached in the step
    */
   Outcome advance(SimSnapshot snapshot) {
     List<Observation> observations = look(snapshot);
@@ -86,9 +129,13 @@ final class Attempt {
     double elapsed = now.since(takeoff.get());
     List<Won> won = judge(observations, now);
     List<OptionalDouble> reached = new ArrayList<>(progress.reached());
-    won.forEach(win -> reached.set(win.index(), OptionalDouble.of(elapsed)));
+    won.forEach(
+        win -> {
+          reached.set(win.index(), OptionalDouble.of(elapsed));
+          scorer.reached(win.index(), win.drone(), elapsed);
+        });
     Optional<Phrase> before = won.isEmpty() ? progress.miss() : Optional.empty();
-    progress = new Progress(challenge, reached, elapsed, Optional.empty(), before);
+    progress = new Progress(challenge, reached, elapsed, Optional.empty(), before, scorer.score());
     List<Missed> missed = won.isEmpty() ? misses(observations) : List.of();
     observations.stream()
         .filter(Observation::lostPower)
@@ -108,14 +155,7 @@ final class Attempt {
           .ifPresent(what -> missed.add(new Missed(observation.drone(), what)));
     }
     for (Missed miss : missed) {
-      Phrase whole = Phrase.of("drone %d %s", miss.drone(), miss.phrase());
-      progress =
-          new Progress(
-              challenge,
-              progress.reached(),
-              progress.elapsed(),
-              Optional.empty(),
-              Optional.of(whole));
+      progress = progress.withMiss(Phrase.of("drone %d %s", miss.drone(), miss.phrase()));
     }
     return missed;
   }
@@ -140,7 +180,10 @@ final class Attempt {
     return observations;
   }
 
-  /** In order, only the next goal can be reached. */
+  /**
+   * Returns the goals reached in a step. If the goals must be reached in order, only the next one
+   * can be reached.
+   */
   private List<Won> judge(List<Observation> observations, SimTime now) {
     List<Won> won = new ArrayList<>();
     for (int i = 0; i < challenge.goals().size(); i++) {
@@ -157,7 +200,7 @@ final class Attempt {
     return won;
   }
 
-  /** The first drone that reaches a goal. */
+  /** Returns the first drone that reaches a goal, if any. */
   private OptionalInt winner(int index, List<Observation> observations, SimTime now) {
     Goal goal = challenge.goals().get(index);
     Map<Integer, SimTime> since = held.get(index);

@@ -5,13 +5,16 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
-/** An event about the goals of a scenario, told after all other events of the step. */
+/**
+ * An event about the goals of a scenario. Reported after all other events of the step, except that
+ * a failure caused by an event is reported directly after that event.
+ */
 public sealed interface GoalEvent extends SimEvent {
 
   /**
    * A drone reached a goal.
    *
-   * @param phrase a clause about the drone: {@code reached goal 1 of 3}
+   * @param phrase a clause about the drone, such as {@code reached goal 1 of 3}
    */
   record Reached(SimTime time, int drone, Phrase phrase) implements GoalEvent, SimEvent.ForDrone {
 
@@ -22,9 +25,10 @@ public sealed interface GoalEvent extends SimEvent {
   }
 
   /**
-   * A drone came near a goal, in a way that does not count.
+   * A drone nearly reached a goal.
    *
-   * @param phrase a clause about the drone: {@code flew through gate A in the wrong direction}
+   * @param phrase a clause about the drone, such as {@code flew through gate A in the wrong
+   *     direction}
    */
   record Missed(SimTime time, int drone, Phrase phrase) implements GoalEvent, SimEvent.ForDrone {
 
@@ -34,10 +38,14 @@ public sealed interface GoalEvent extends SimEvent {
     }
   }
 
+  /** Points were lost. */
+  record Penalty(SimTime time, Phrase phrase) implements GoalEvent, SimEvent.Warning {}
+
   /**
-   * All goals are reached, or they cannot be reached any more.
+   * The attempt is over: all goals have been reached, or the remaining ones can no longer be
+   * reached.
    *
-   * @param failed whether they cannot
+   * @param failed whether some goals have not been reached
    */
   record Over(SimTime time, Phrase phrase, boolean failed) implements GoalEvent {
 

@@ -4,15 +4,21 @@ import tellosimulator.math.Vec3;
 import tellosimulator.world.Room;
 
 /**
- * A ball around a place; on the floor, a circle. Immutable.
+ * A ball around a place, or a circle on the floor. Immutable.
  *
- * @param place room frame [m]
- * @param radius metres
+ * @param place the middle, in the room frame [m]
+ * @param radius the radius [m]
  */
 public record GoalRegion(Vec3 place, double radius) {
 
-  /** Smallest radius [m]. Decided: the accuracy of a move in {@code report}. */
+  /** Minimum radius [m]. Decided: the accuracy of a move in behaviour {@code report}. */
   public static final double SMALLEST = 0.01;
+
+  /**
+   * Default radius [m]. Decided: larger than a hand's breadth, which would be too strict, and
+   * smaller than an arm's length, which would be too lenient.
+   */
+  public static final double DEFAULT_RADIUS = 0.3;
 
   public GoalRegion {
     if (!(radius >= SMALLEST && radius <= Room.LONGEST)) {

@@ -1,11 +1,14 @@
 package tellosimulator.goal;
 
-/** How one stands with a goal. */
+/**
+ * The state of a goal. The states are in order of precedence: a place that several goals share is
+ * shown in the first of their states.
+ */
 public enum GoalState {
-  /** It is reached. */
-  DONE,
-  /** It can be reached now. */
+  /** The goal can be reached now. */
   ACTIVE,
-  /** It cannot be reached yet, or not any more. */
-  LATER
+  /** The goal cannot be reached yet, or can no longer be reached. */
+  LATER,
+  /** The goal has been reached. */
+  DONE
 }

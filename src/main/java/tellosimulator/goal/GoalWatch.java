@@ -7,15 +7,18 @@ import tellosimulator.goal.Attempt.Missed;
 import tellosimulator.goal.Attempt.Outcome;
 import tellosimulator.goal.Attempt.Won;
 import tellosimulator.goal.Progress.Status;
+import tellosimulator.sim.Control;
 import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimInput;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
- * Watches a simulation, and judges whether the drones do what a {@link Challenge} asks for. It
- * begins anew whenever a person puts a drone back to its start.
+ * Watches a simulation, and evaluates whether the drones complete a {@link Challenge}. The attempt
+ * starts again with each run, and whenever a drone is put back at its start. After the verdict,
+ * mistakes still cost points until all drones are on the ground.
  */
 public final class GoalWatch implements SimListener {
 
@@ -25,37 +28,76 @@ public final class GoalWatch implements SimListener {
   private Attempt attempt;
   private SimTime now = SimTime.ZERO;
 
+  /** The time of the event or step that is being evaluated. */
+  private SimTime moment = SimTime.ZERO;
+
   /**
-   * @param news takes an event for each goal that is reached or nearly so, and for the end; on the
-   *     simulation thread, after all other events of the step
+   * Creates a watch for a challenge.
+   *
+   * @param news receives an event for each goal that is reached or nearly reached, for lost points,
+   *     and for the end of the attempt; called on the simulation thread
    */
   public GoalWatch(Challenge challenge, Consumer<GoalEvent> news) {
     this.news = news;
-    this.attempt = new Attempt(challenge);
+    this.attempt = new Attempt(challenge, this::tell);
     this.progress = attempt.progress();
   }
 
-  /** How far the drones have come. For any thread. */
+  /** Returns the drones' progress. Thread-safe. */
   public Progress progress() {
     return progress;
   }
 
-  /** Asks for something else from the next step on. For any thread. */
+  /** Replaces the challenge. The new challenge takes effect with the next step. Thread-safe. */
   public void ask(Challenge newChallenge) {
     asked.set(newChallenge);
   }
 
+  /**
+   * Counts what happens in the present attempt. Must be called on the simulation thread, or after
+   * the simulation has closed.
+   */
+  public Tally tally() {
+    return attempt.tally();
+  }
+
+  /**
+   * Ends the attempt, if it goes on, and charges the drones that are still in the air. Must be
+   * called after the simulation has closed.
+   */
+  public synchronized void close() {
+    attempt.close(moment);
+    progress = attempt.progress();
+  }
+
+  @Override
+  public void onInput(SimTime time, SimInput input) {
+    if (input instanceof SimInput.Act act && act.control() instanceof Control.EndAttempt) {
+      attempt.judge();
+      progress = attempt.progress();
+    }
+  }
+
   @Override
   public void event(SimEvent event) {
-    if (event instanceof SimEvent.Restarted) {
+    moment = event.time();
+    if (event instanceof SimEvent.RunStarted) {
       now = event.time();
       begin(challenge());
+    }
+    if (event instanceof SimEvent.ForDrone happened) {
+      attempt.take(happened);
+      progress = attempt.progress();
     }
     if (!(event instanceof SimEvent.DroneFlight flight)) {
       return;
     }
     if (flight.event() instanceof FlightEvent.PutBack) {
       begin(challenge());
+    } else if (running()
+        && flight.event() instanceof FlightEvent.LandsByItself landing
+        && landing.cause() == FlightEvent.LandingCause.END_OF_PROGRAM) {
+      fail(Phrase.of("the program ended while drone %d was in the air", flight.drone()));
     } else if (running() && flight.event() instanceof FlightEvent.Crashed crash) {
       fail(Phrase.of("drone %d crashed into %s", flight.drone(), crash.touched().phrase()));
     } else if (running()
@@ -68,10 +110,13 @@ public final class GoalWatch implements SimListener {
   @Override
   public void stepped(SimSnapshot snapshot) {
     now = snapshot.time();
+    moment = now;
     Challenge other = asked.getAndSet(null);
     if (other != null) {
       begin(other);
     }
+    attempt.settle(snapshot);
+    progress = attempt.progress();
     if (!running()) {
       return;
     }
@@ -84,7 +129,7 @@ public final class GoalWatch implements SimListener {
   }
 
   private boolean running() {
-    return attempt.progress().status() == Status.RUNNING && !challenge().goals().isEmpty();
+    return attempt.running();
   }
 
   private Challenge challenge() {
@@ -92,7 +137,7 @@ public final class GoalWatch implements SimListener {
   }
 
   private void begin(Challenge challenge) {
-    attempt = new Attempt(challenge);
+    attempt = new Attempt(challenge, this::tell);
     progress = attempt.progress();
   }
 
@@ -102,26 +147,37 @@ public final class GoalWatch implements SimListener {
   }
 
   private void publish() {
+    if (attempt.progress().status() != Status.RUNNING) {
+      attempt.judge();
+    }
     progress = attempt.progress();
     switch (progress.status()) {
       case RUNNING -> {}
-      case REACHED ->
-          news.accept(
-              new GoalEvent.Over(
-                  now, Phrase.of("all goals are reached after %.1f s", progress.elapsed()), false));
-      case FAILED -> news.accept(new GoalEvent.Over(now, progress.phrase(), true));
+      case REACHED -> over(Phrase.of("all goals are reached after %.1f s", progress.elapsed()));
+      case FAILED -> over(progress.phrase());
     }
+  }
+
+  private void over(Phrase verdict) {
+    Phrase whole =
+        progress.score().map(score -> Phrase.of("%s; %s", verdict, score.phrase())).orElse(verdict);
+    news.accept(new GoalEvent.Over(now, whole, progress.status() == Status.FAILED));
+  }
+
+  private void tell(Score.Entry lost) {
+    Phrase points = Score.points(-lost.points());
+    news.accept(new GoalEvent.Penalty(moment, Phrase.of("%s lost: %s", points, lost.why())));
   }
 
   private void tell(Won won) {
     Progress present = attempt.progress();
     Goal goal = present.challenge().goals().get(won.index());
-    news.accept(
-        new GoalEvent.Reached(
-            now,
-            won.drone(),
-            Phrase.of(
-                "reached goal %d of %d after %.1f s: %s",
-                won.index() + 1, present.reached().size(), present.elapsed(), goal.task())));
+    Phrase reached =
+        Phrase.of(
+            "reached goal %d of %d after %.1f s: %s",
+            won.index() + 1, present.reached().size(), present.elapsed(), goal.task());
+    double points = goal.terms().points();
+    Phrase whole = points > 0 ? Phrase.of("%s (%s)", reached, Score.points(points)) : reached;
+    news.accept(new GoalEvent.Reached(now, won.drone(), whole));
   }
 }

@@ -4,20 +4,25 @@ import java.util.Comparator;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import tellosimulator.goal.Observation.Course.Gate;
+import tellosimulator.goal.Course.Gate;
 import tellosimulator.goal.Observation.Crossing;
+import tellosimulator.goal.Observation.Sight;
 import tellosimulator.math.Vec3;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.MissionPad;
 
 /**
- * What a drone did in a step that was meant to reach a goal, as it seems, and why it does not
- * count: a landing beside its place, or a flight past a gate, through it the wrong way, or too
- * early.
+ * Detects whether a drone has nearly reached a goal in a step, and explains why this does not
+ * count. A near miss is a landing beside the place of a goal, a flight past a gate or through it in
+ * the wrong direction, a target that is too small in the picture or leaves it too soon, or reaching
+ * a goal before its turn.
  */
 final class NearMiss {
 
-  /** How far beyond the frame of a gate one flies past it [m]. Decided: beyond is another way. */
+  /**
+   * Maximum distance from the frame of a gate at which a drone counts as flying past the gate [m].
+   * Decided: at a greater distance, the drone is on its way elsewhere.
+   */
   private static final double PAST = 0.75;
 
   private final Observation seen;
@@ -29,17 +34,20 @@ final class NearMiss {
   }
 
   /**
-   * A clause about the drone: {@code landed at x 26, y 0, 26 cm from the middle of goal 4; up to 15
-   * cm count}.
+   * Returns the near miss as a clause about the drone, such as {@code landed at x 26, y 0, 26 cm
+   * from the middle of goal 4; up to 15 cm count}.
    *
-   * @param seen of a drone that has reached no goal in this step
+   * @param seen the observation of a drone that has reached no goal in this step
    */
   static Optional<Phrase> of(Observation seen, Progress progress) {
     NearMiss miss = new NearMiss(seen, progress);
-    return seen.justLanded() ? miss.landing() : miss.gate();
+    return seen.justLanded() ? miss.landing() : miss.gate().or(miss::sight);
   }
 
-  /** A landing is meant for the next landing goal; without an order, for the nearest one. */
+  /**
+   * Explains a landing. The landing is assumed to be an attempt at the next landing goal if the
+   * goals must be reached in order, and otherwise at the nearest landing goal.
+   */
   private Optional<Phrase> landing() {
     Stream<Landing> landings = open().mapToObj(this::landing).flatMap(Optional::stream);
     return (progress.challenge().inOrder()
@@ -68,11 +76,11 @@ final class NearMiss {
   }
 
   /**
-   * A landing that is asked for.
+   * A landing, compared with a landing goal.
    *
-   * @param index of the goal, from 0
-   * @param distance of the drone from the goal's middle, level [m]
-   * @param limit up to which it counts [m]
+   * @param index the index of the goal, from 0
+   * @param distance the horizontal distance of the drone from the goal's middle [m]
+   * @param limit the maximum distance that counts [m]
    */
   private record Landing(int index, double distance, double limit) {}
 
@@ -131,18 +139,51 @@ final class NearMiss {
                 Phrase.of("flew through gate %s, but goal %d comes first", pass.gate(), first));
   }
 
+  /** Explains a sight, once until there is another near miss. */
+  private Optional<Phrase> sight() {
+    return open()
+        .mapToObj(this::sight)
+        .flatMap(Optional::stream)
+        .filter(phrase -> progress.miss().filter(last -> last.values().contains(phrase)).isEmpty())
+        .findFirst();
+  }
+
+  private Optional<Phrase> sight(int index) {
+    if (!(goal(index) instanceof Goal.See see)) {
+      return Optional.empty();
+    }
+    Sight now = seen.sight(see);
+    Sight before = seen.sightBefore(see);
+    Phrase target = see.target().phrase();
+    Optional<Integer> early = early(index);
+    if (early.isPresent()) {
+      return now == Sight.FULL && before != Sight.FULL
+          ? Optional.of(Phrase.of("saw %s, but goal %d comes first", target, early.get()))
+          : Optional.empty();
+    } else if (before == Sight.FULL && now != Sight.FULL) {
+      return Optional.of(
+          Phrase.of("saw %s too briefly: %.1f s without a break count", target, see.seconds()));
+    }
+    return before == Sight.NONE && now == Sight.SMALL
+        ? Optional.of(Phrase.of("saw %s, but too small: fly closer", target))
+        : Optional.empty();
+  }
+
   private Goal goal(int index) {
     return progress.challenge().goals().get(index);
   }
 
-  /** The indices of the goals that are still to be reached, by this drone. */
+  /** Returns the indices of the goals that have not been reached, and that this drone may reach. */
   private IntStream open() {
     return IntStream.range(0, progress.reached().size())
         .filter(index -> progress.reached().get(index).isEmpty())
         .filter(index -> goal(index).drone().orElse(seen.drone()) == seen.drone());
   }
 
-  /** The number of the goal that must be reached before one; empty if there is none. */
+  /**
+   * Returns the number of the goal that must be reached before the goal with the given index; empty
+   * if the goal with this index can be reached now.
+   */
   private Optional<Integer> early(int index) {
     return progress.state(index) == GoalState.ACTIVE
         ? Optional.empty()

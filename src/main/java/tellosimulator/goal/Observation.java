@@ -1,58 +1,93 @@
 package tellosimulator.goal;
 
-import java.util.HashMap;
-import java.util.Map;
 import java.util.Optional;
-import tellosimulator.goal.Observation.Course.Gate;
+import tellosimulator.goal.Course.Gate;
+import tellosimulator.goal.PlacedGoal.Square;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
-import tellosimulator.world.Obstacle;
-import tellosimulator.world.Shape;
-import tellosimulator.world.Surface;
 
 /**
- * What is seen of a drone in one step.
+ * The observation of one drone in one step.
  *
- * @param course in which it flies
- * @param before at the end of the step before
- * @param now at the end of the step
- * @param flown whether it has flown since the challenge began
+ * @param course the course in which the drone flies
+ * @param before the state at the end of the previous step
+ * @param now the state at the end of the step
+ * @param flown whether the drone has flown since the challenge began
  */
 record Observation(Course course, DroneState before, DroneState now, boolean flown) {
 
-  /** From the feet to the drone's centre. */
+  /** The vector from the feet to the drone's centre. */
   private static final Vec3 CENTER = Vec3.UP.times(DroneSpec.COLLIDER.height() / 2);
 
-  /** Highest feet over a card on which a drone stands [m]. Decided: a sheet and rounding. */
+  /**
+   * Maximum height of the feet of a drone that stands on a mission pad [m]. Decided: it allows for
+   * the thickness of a sheet and for rounding.
+   */
   private static final double ON_CARD = 0.01;
+
+  /**
+   * Share of the required size from which a target is nearly large enough. Decided: at less than
+   * half, the drone is on its way elsewhere.
+   */
+  private static final double NEARLY = 0.5;
 
   int drone() {
     return now.drone();
   }
 
-  /** Whether the drone does what is asked for; that of a {@link Goal.Hover} must last. */
+  /**
+   * Whether the drone fulfils a goal at this moment. A {@link Goal.Hover} requires this for a
+   * period of time.
+   */
   boolean reaches(Goal goal) {
     if (goal.drone().isPresent() && goal.drone().getAsInt() != drone()) {
       return false;
     }
-    if (goal instanceof Goal.Reach reach) {
-      return flies() && reach.region().holds(feet());
+    return goal.match(
+        new Goal.Cases<>(
+            reach -> flies() && reach.region().holds(feet()),
+            hover -> flies() && hover.region().holds(feet()),
+            pass -> course.gate(pass.gate()).filter(gate -> passes(gate, pass)).isPresent(),
+            land -> landed() && land.region().holdsLevel(feet()),
+            landOn -> landed() && course.card(landOn.pad()).filter(this::standsOn).isPresent(),
+            see -> sight(see) == Sight.FULL));
+  }
+
+  /** How a drone sees a target. */
+  enum Sight {
+    NONE,
+    /** All of the target is in the picture, and not much smaller than it must be. */
+    SMALL,
+    /** All of the target is in the picture, and large enough. */
+    FULL
+  }
+
+  /** Returns how the drone sees a target at the end of the step. */
+  Sight sight(Goal.See see) {
+    return sight(see, now);
+  }
+
+  /** Returns how the drone saw a target at the end of the previous step. */
+  Sight sightBefore(Goal.See see) {
+    return sight(see, before);
+  }
+
+  private Sight sight(Goal.See see, DroneState drone) {
+    Optional<Square> target = course.square(see.target());
+    if (target.isEmpty() || !drone.phase().flying()) {
+      return Sight.NONE;
     }
-    if (goal instanceof Goal.Hover hover) {
-      return flies() && hover.region().holds(feet());
+    FrontView view = FrontView.of(drone.motion().pose());
+    double percent = view.percent(target.get());
+    if (percent < see.sizePercent() * NEARLY
+        || !course.isVisible(target.get(), view.camera().position())) {
+      return Sight.NONE;
     }
-    if (goal instanceof Goal.Pass pass) {
-      return course.gate(pass.gate()).filter(gate -> passes(gate, pass.direction())).isPresent();
-    }
-    if (goal instanceof Goal.Land land) {
-      return landed() && land.region().holdsLevel(feet());
-    }
-    return landed() && course.card(((Goal.LandOn) goal).pad()).filter(this::standsOn).isPresent();
+    return percent < see.sizePercent() ? Sight.SMALL : Sight.FULL;
   }
 
   private Vec3 feet() {
@@ -67,23 +102,26 @@ record Observation(Course course, DroneState before, DroneState now, boolean flo
     return flown && now.phase() == FlightPhase.GROUNDED;
   }
 
-  /** Whether it came down in this step, after a flight. */
+  /** Whether the drone has landed in this step, after a flight. */
   boolean justLanded() {
     return landed() && before.phase() != FlightPhase.GROUNDED;
   }
 
-  /** Whether it was switched off in the air. */
+  /** Whether the drone was switched off in the air. */
   boolean lostPower() {
     return before.phase().flying() && now.phase() == FlightPhase.OFF;
   }
 
-  private boolean passes(Gate gate, Goal.Direction direction) {
+  private boolean passes(Gate gate, Goal.Pass pass) {
     return crossing(gate)
-        .filter(crossing -> crossing.through() && crossing.goes(direction))
+        .filter(crossing -> crossing.through() && crossing.goes(pass.direction()))
         .isPresent();
   }
 
-  /** How its centre crossed the plane of a gate's opening in this step. */
+  /**
+   * Returns the drone's crossing of the plane of a gate's opening in this step, if any. The centre
+   * of the drone determines the crossing.
+   */
   Optional<Crossing> crossing(Gate gate) {
     Vec3 from = inFrame(gate, before);
     Vec3 to = inFrame(gate, now);
@@ -98,12 +136,12 @@ record Observation(Course course, DroneState before, DroneState now, boolean flo
   }
 
   /**
-   * A way across the plane of a gate's opening.
+   * A crossing of the plane of a gate's opening.
    *
-   * @param along whether along the gate's x axis, not against it
-   * @param across from the middle of the opening, along the gate's y axis [m]
-   * @param up from the middle of the opening [m]
-   * @param through whether through the opening, not past it
+   * @param along whether the direction is along the gate's x axis, not against it
+   * @param across the offset from the middle of the opening along the gate's y axis [m]
+   * @param up the height above the middle of the opening [m]
+   * @param through whether the drone flew through the opening, not past it
    */
   record Crossing(boolean along, double across, double up, boolean through) {
 
@@ -126,44 +164,5 @@ record Observation(Course course, DroneState before, DroneState now, boolean flo
     return Math.abs(offset.x()) <= MissionPad.EDGE / 2
         && Math.abs(offset.y()) <= MissionPad.EDGE / 2
         && offset.z() <= ON_CARD;
-  }
-
-  /** What goals name in an arena, found quickly. Immutable. */
-  static final class Course {
-
-    /** An opening and where the foot of its gate is. */
-    record Gate(Shape.Gate opening, Pose pose) {}
-
-    private final Arena arena;
-    private final Map<String, Gate> gates = new HashMap<>();
-    private final Map<Integer, Pose> cards = new HashMap<>();
-
-    Course(Arena arena) {
-      this.arena = arena;
-      for (Obstacle obstacle : arena.obstacles()) {
-        if (obstacle.shape() instanceof Shape.Gate opening) {
-          gates.putIfAbsent(obstacle.name(), new Gate(opening, obstacle.pose()));
-        }
-      }
-      for (MissionPad pad : arena.pads()) {
-        if (pad.surface() == Surface.FLOOR) {
-          cards.put(pad.id(), pad.pose(arena.room()));
-        }
-      }
-    }
-
-    /** Itself, unless the arena is another one. */
-    Course in(Arena present) {
-      return present.equals(arena) ? this : new Course(present);
-    }
-
-    Optional<Gate> gate(String name) {
-      return Optional.ofNullable(gates.get(name));
-    }
-
-    /** Where the card of a mission pad lies on the floor. */
-    Optional<Pose> card(int pad) {
-      return Optional.ofNullable(cards.get(pad));
-    }
   }
 }

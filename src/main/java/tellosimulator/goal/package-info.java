@@ -1,10 +1,10 @@
 /**
- * What a scenario asks of the drones, and whether they do it.
+ * The goals of a scenario, and their evaluation.
  *
  * <p>A {@link tellosimulator.goal.Challenge} is a list of {@link tellosimulator.goal.Goal}s with
- * its rules; {@link tellosimulator.goal.GoalWatch} watches a simulation and keeps the {@link
- * tellosimulator.goal.Progress}, which is immutable and for any thread. Only the simulation thread
- * judges. The package imports {@code sim} and what that stands on. Files, exit codes and windows
- * are not its job.
+ * its rules. {@link tellosimulator.goal.GoalWatch} watches a simulation and publishes an immutable
+ * {@link tellosimulator.goal.Progress} with its {@link tellosimulator.goal.Score}. Goals are
+ * evaluated on the simulation thread only. The package imports {@code sim} and its dependencies.
+ * Files, exit codes and windows belong to other packages.
  */
 package tellosimulator.goal;

@@ -23,12 +23,14 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * What a person or a script can type while the program runs without a window. For the thread of its
- * {@link #agent}.
+ * Executes the commands that users or scripts type into a simulator without a window. Confined to
+ * the thread of its {@link #agent}.
  */
 final class Console {
 
-  /** Not what Java also takes for a number, such as 0x1p3 or NaN. */
+  /**
+   * A number in decimal digits. Other forms that Java accepts, such as 0x1p3 or NaN, are excluded.
+   */
   private static final Pattern NUMBER = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
 
   private static final String HELP =
@@ -52,7 +54,7 @@ final class Console {
       N is a drone's number; without it, all drones.
       """;
 
-  /** Carries out what a person does, before it returns. */
+  /** Carries out a {@link Control}, and returns when its effect is complete. */
   @FunctionalInterface
   interface Controls {
     void carryOut(Control control) throws PortTakenException;
@@ -63,7 +65,7 @@ final class Console {
   private final BufferedReader in;
   private final PrintStream out;
 
-  /** Reads nothing yet. */
+  /** Creates a console without reading any input. */
   Console(Supplier<SimSnapshot> snapshots, Controls controls, BufferedReader in, PrintStream out) {
     this.snapshots = snapshots;
     this.controls = controls;
@@ -72,10 +74,10 @@ final class Console {
   }
 
   /**
-   * Reads until {@code quit} or the end of input.
+   * Returns an agent that reads until {@code quit} or the end of input.
    *
-   * @param onFinish is called on {@code finish}, once all drones land
-   * @param onQuit is called on {@code quit}
+   * @param onFinish called on {@code finish}, after all drones in the air have begun to land
+   * @param onQuit called on {@code quit}
    */
   Agent agent(Runnable onFinish, Runnable onQuit) {
     return new Agent() {
@@ -96,7 +98,7 @@ final class Console {
     };
   }
 
-  /** Returns whether there may be more. */
+  /** Reads and executes one line; returns whether to read another one. */
   private boolean readLine(Runnable onFinish, Runnable onQuit) throws IOException {
     String line = in.readLine();
     if (line == null) {
@@ -154,7 +156,7 @@ final class Console {
   private void finish(List<String> words) throws PortTakenException {
     checkEnd(words, 1);
     if (snapshots.get().clock().paused()) {
-      controls.carryOut(new Control.Pause(false)); // or no drone would ever be down
+      controls.carryOut(new Control.Pause(false)); // otherwise no drone would ever land
     }
     forDrones(words, 1, Control.Land::new);
   }
@@ -217,7 +219,10 @@ final class Console {
     }
   }
 
-  /** The drone whose number is the word at {@code index}, or all if there is no such word. */
+  /**
+   * Returns the drone whose number is the word at {@code index}; all drones if there is no such
+   * word.
+   */
   private List<Integer> drones(List<String> words, int index) {
     checkEnd(words, index + 1);
     List<Integer> all =
@@ -288,7 +293,7 @@ final class Console {
     return lost + (clock.paused() ? ", paused" : "");
   }
 
-  /** Rounded, and never minus zero. */
+  /** Rounds a value to tenths; never returns negative zero. */
   private static double tenths(double value) {
     return Math.round(value * 10) / 10.0;
   }

@@ -5,6 +5,9 @@ import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.slf4j.event.Level;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.control.ControlServer;
 import tellosimulator.goal.GoalWatch;
@@ -16,19 +19,27 @@ import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.FlightRecorder;
 import tellosimulator.recording.FlightRecorder.Subject;
 import tellosimulator.recording.RecordingFolder;
+import tellosimulator.recording.RunResult;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.Control;
 import tellosimulator.sim.LogLimiter;
+import tellosimulator.sim.Severity;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStreams;
 import tellosimulator.video.codec.H264Encoder;
 
-/** The program without a window: drones that are on, a console, and a line when it is ready. */
+/**
+ * The simulator without a window. It switches all drones on, prints a line when it is ready, and
+ * reads commands from a console.
+ */
 public final class HeadlessSimulator implements AutoCloseable {
 
   /**
-   * How long a program may go on after the verdict [ms]. Decided: it switches its stream off and
-   * says goodbye.
+   * Maximum time for which a program may continue after the verdict [ms]. Decided: long enough to
+   * switch its stream off and exit.
    */
   private static final long FAREWELL_MS = 5000;
 
@@ -36,16 +47,18 @@ public final class HeadlessSimulator implements AutoCloseable {
   private final GoalWatch goals;
   private final ExitCondition exitCondition;
   private final ExitCondition.Standstill standstill = new AsFastAsPossible();
+  private final PaceWatch pace;
   private final OnlineSimulation simulation;
   private final VideoStreams video;
   private volatile Optional<ControlServer> control = Optional.empty();
   private volatile Optional<FlightRecorder> recorder = Optional.empty();
 
   /**
-   * Starts the simulation; all drones are off.
+   * Starts the simulation with all drones off.
    *
-   * @param replyPort port to which all replies go; empty for the port each command came from
-   * @param cameras makes a camera for each drone's video
+   * @param replyPort the port to which all replies go; if empty, each reply goes to the port from
+   *     which its command came
+   * @param cameras creates a camera for each drone's video
    */
   public HeadlessSimulator(
       Scenario scenario, AddressPlan plan, OptionalInt replyPort, SoftwareCameras cameras) {
@@ -58,28 +71,35 @@ public final class HeadlessSimulator implements AutoCloseable {
               log.event(news);
               recorder.ifPresent(each -> each.event(news));
             });
-    exitCondition = new ExitCondition(goals);
-    simulation =
-        new OnlineSimulation(
-            scenario.config(), plan, replyPort, List.of(new LogLimiter(log), goals, exitCondition));
+    exitCondition = new ExitCondition(goals, this::endAttempt);
+    pace = new PaceWatch(exitCondition::now);
+    List<SimListener> listeners = List.of(new LogLimiter(log), goals, exitCondition, pace);
+    simulation = new OnlineSimulation(scenario.config(), plan, replyPort, listeners);
     video = VideoStreams.of(simulation, cameras, H264Encoder::new);
+  }
+
+  /** Makes the end of the attempt part of the flight: a replay reaches no goal after it either. */
+  private void endAttempt() {
+    if (!scenario.challenge().goals().isEmpty()) {
+      simulation.endAttempt();
+    }
   }
 
   /**
    * Opens the sockets and switches all drones on.
    *
-   * @throws PortTakenException if an address or port cannot be had
+   * @throws PortTakenException if an address or port cannot be opened
    */
   public void switchOn() throws PortTakenException {
     simulation.switchAllOn();
   }
 
   /**
-   * Opens the control channel, and says where it is. After {@link #switchOn} and before {@link
-   * #sayReady}.
+   * Opens the control channel and prints its address. Must be called after {@link #switchOn} and
+   * before {@link #sayReady}.
    *
-   * @param port 0 for one that the system chooses
-   * @throws PortTakenException if the port cannot be had
+   * @param port the port; 0 lets the system choose
+   * @throws PortTakenException if the port cannot be opened
    */
   public void openControl(int port, PrintStream out) throws PortTakenException {
     ControlServer server = new ControlServer(TelloSimulator.of(simulation, scenario, goals), port);
@@ -88,10 +108,11 @@ public final class HeadlessSimulator implements AutoCloseable {
   }
 
   /**
-   * Records all flights from now on. Before {@link #switchOn}, or else they cannot be flown again.
+   * Starts to record all flights. Must be called before {@link #switchOn}; otherwise the flights
+   * cannot be replayed.
    *
-   * @param title of the scenario, or the name of its file
-   * @param options words of the command line
+   * @param title the title of the scenario, or the name of its file
+   * @param options the command-line arguments
    */
   public void record(RecordingFolder folder, String title, List<String> options) {
     Subject subject = new Subject(title, scenario, options, goals);
@@ -100,7 +121,7 @@ public final class HeadlessSimulator implements AutoCloseable {
     recorder = Optional.of(started);
   }
 
-  /** Says that it is ready, and where the drones are. */
+  /** Prints the ready line with the addresses of the drones. */
   public void sayReady(PrintStream out) {
     shrinkHeap();
     out.println(simulation.ready());
@@ -108,8 +129,8 @@ public final class HeadlessSimulator implements AutoCloseable {
   }
 
   /**
-   * Takes what is typed; returns after {@code quit}, or after {@code finish} when the drones are
-   * down, and never if the input ends without either.
+   * Reads the console. Returns after {@code quit}, or after {@code finish} once the drones have
+   * landed. Does not return if the input ends without either.
    */
   public void run(BufferedReader in, PrintStream out) throws InterruptedException {
     startConsole(in, out);
@@ -119,32 +140,64 @@ public final class HeadlessSimulator implements AutoCloseable {
   }
 
   /**
-   * Takes what is typed, and returns after {@code quit}, or when the goals are reached or missed
-   * and the drones have come down, as they do on {@code finish}. They are missed, too, when all
-   * drones have landed and are silent for 15 s, or a program has spoken, let none take off, and is
-   * silent for a minute; with time factor {@code max} these pass by themselves when no command has
-   * come for a while of the wall clock.
+   * Reads the console. Returns after {@code quit}, or when the goals have been reached or missed
+   * and the drones have landed. {@code finish} lands all drones.
    *
-   * @param timeout after which the goals are missed in any case [simulated s]
-   * @return whether the goals were reached; it still runs after {@code quit}
+   * <p>The goals also count as missed if all drones have landed and no command has arrived for 15
+   * s. The same is true if a program has sent a command, but no drone has taken off and no further
+   * command has arrived for a minute. At time factor {@code max}, simulated time would stand still
+   * during these periods. It is therefore advanced by the whole period when no command has arrived
+   * for a while in wall clock time.
+   *
+   * @param timeout the time after which the goals count as missed in any case [simulated s]; empty
+   *     for none
+   * @param programRuns whether a program is running, at whose end {@code finish} will be typed. If
+   *     so, the program may continue for up to 5 s after the verdict, and the goals also count as
+   *     missed if it has sent no command after two minutes
+   * @return the status of the goals, which is still {@code RUNNING} after {@code quit}
    */
-  public Progress.Status runUntilDone(Optional<Double> timeout, BufferedReader in, PrintStream out)
+  public Progress.Status runUntilDone(
+      Optional<Double> timeout, boolean programRuns, BufferedReader in, PrintStream out)
       throws InterruptedException {
-    exitCondition.limit(timeout);
+    exitCondition.limit(timeout, programRuns);
     startConsole(in, out);
     Progress result = exitCondition.awaitResult(standstill);
     out.println(result.phrase());
     out.flush();
+    if (programRuns && !pace.impatient()) {
+      exitCondition.awaitFinish(FAREWELL_MS);
+      landAll();
+    }
     exitCondition.awaitRest(standstill);
     return result.status();
   }
 
-  /** Lets a program go on after the verdict, until {@code finish} is typed or time is over. */
-  public void awaitFinish() throws InterruptedException {
-    exitCondition.awaitFinish(FAREWELL_MS);
+  /**
+   * Ends the run as soon as the program sends a command without waiting for the reply to the one
+   * before, so that its flight depends on when simulated time passes.
+   */
+  public void endUnlessProgramWaits() {
+    pace.activate();
   }
 
-  /** Time stands still only as fast as possible. */
+  /** Whether the run has ended because the program did not wait for a reply. */
+  public boolean programDidNotWait() {
+    return pace.impatient();
+  }
+
+  private void landAll() {
+    for (SimSnapshot.DroneSnapshot drone : snapshot().drones()) {
+      try {
+        simulation.carryOut(new Control.Land(drone.state().drone()));
+      } catch (PortTakenException e) {
+        throw new IllegalStateException("a landing opens no port", e);
+      }
+    }
+  }
+
+  /**
+   * Advances simulated time when it stands still, which happens only at time factor {@code max}.
+   */
   private final class AsFastAsPossible implements ExitCondition.Standstill {
 
     @Override
@@ -166,16 +219,25 @@ public final class HeadlessSimulator implements AutoCloseable {
             .agent(exitCondition::finish, exitCondition::now));
   }
 
-  /** A recent state of everything; for any thread. */
+  /** Returns the outcome of the run. Must be called after {@link #close}. */
+  public RunResult result() {
+    Progress last = goals.progress();
+    boolean goalless = scenario.challenge().goals().isEmpty(); // nothing can be missed
+    Progress verdict = goalless ? last : exitCondition.verdict().orElse(last);
+    boolean missed = !goalless && exitCondition.missed();
+    return new RunResult(verdict, missed, last.score(), goals.tally(), snapshot().seed());
+  }
+
+  /** Returns the latest snapshot. Thread-safe. */
   SimSnapshot snapshot() {
     return simulation.snapshot();
   }
 
   /**
-   * Gives memory back. The JVM starts with a sixty-fourth of the machine's memory as heap and fills
-   * it before it collects for the second time; a full collection lets it adopt the few megabytes
-   * that a simulation needs. Measured at "ready", in turns, medians of 24: 61 rather than 76 MB of
-   * resident memory.
+   * Returns memory to the system. The JVM starts with a heap of one sixty-fourth of the machine's
+   * memory, and fills it before the second collection. A full collection shrinks the heap to the
+   * few megabytes that a simulation needs. Measured: at "ready", the resident memory is 61 MB
+   * instead of 76 MB (medians of 24 alternating runs).
    */
   private static void shrinkHeap() {
     System.gc();
@@ -186,6 +248,37 @@ public final class HeadlessSimulator implements AutoCloseable {
     control.ifPresent(ControlServer::close);
     video.close();
     simulation.close();
+    goals.close();
     recorder.ifPresent(FlightRecorder::close);
+  }
+
+  /** Writes events to the log, at the level that corresponds to their {@link Severity}. */
+  private static final class EventLog implements SimListener {
+
+    private static final Logger LOG = LoggerFactory.getLogger("tellosimulator.event");
+
+    @Override
+    public void event(SimEvent event) {
+      LOG.atLevel(level(event.severity())).log("{}", lineOf(event));
+    }
+
+    private static Level level(Severity severity) {
+      return switch (severity) {
+        case ERROR -> Level.ERROR;
+        case WARNING -> Level.WARN;
+        case INFORMATION -> Level.INFO;
+        case DETAIL -> Level.DEBUG;
+      };
+    }
+
+    /** Returns an object that formats the line only when it is written. */
+    private static Object lineOf(SimEvent event) {
+      return new Object() {
+        @Override
+        public String toString() {
+          return event.line();
+        }
+      };
+    }
   }
 }

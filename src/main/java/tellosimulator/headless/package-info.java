@@ -1,9 +1,9 @@
 /**
  * The program without a window.
  *
- * <p>{@link tellosimulator.headless.HeadlessSimulator} puts sockets, simulation and clock together;
- * {@code Console} takes what is typed; {@link tellosimulator.headless.EventLog} writes what happens
- * to the log; {@code control} is open if somebody asks for it. The package imports {@code network}
- * and what that stands on. Options of the command line are not its job.
+ * <p>{@link tellosimulator.headless.HeadlessSimulator} combines sockets, simulation and clock. It
+ * also writes events to the log. {@code Console} executes typed commands. The control channel of
+ * {@code control} is opened on request. The package imports {@code network} and the packages below
+ * it. Command-line options are not its job.
  */
 package tellosimulator.headless;

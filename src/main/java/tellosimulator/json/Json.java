@@ -5,6 +5,9 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import org.snakeyaml.engine.v2.common.ScalarStyle;
@@ -19,22 +22,27 @@ import org.snakeyaml.engine.v2.parser.ParserImpl;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
 
 /**
- * Reads and writes JSON. JSON is YAML 1.2, so the reader of scenario files reads it; only its
- * events are used, so that nothing is built that is nested too deep. For any thread.
+ * Parses and formats JSON. JSON is a subset of YAML 1.2, so the parser of scenario files parses it.
+ * This class processes the parser's events itself, so that it stops parsing as soon as the input is
+ * nested too deeply. Thread-safe.
  *
- * <p>Objects are {@code Map}s in the order of their members, arrays {@code List}s, texts {@code
- * String}, numbers {@code Long} or {@code Double}, true and false {@code Boolean}.
+ * <p>Objects are represented by {@code Map}s in the order of their members, arrays by {@code
+ * List}s, strings by {@code String}s, numbers by {@code Long}s or {@code Double}s, true and false
+ * by {@code Boolean}s.
  */
 public final class Json {
 
-  /** How deep objects and arrays may be nested. Decided: no file of the project needs five. */
+  /**
+   * Maximum nesting depth of objects and arrays. Decided: no file of the project is more than four
+   * levels deep.
+   */
   private static final int DEEPEST = 32;
 
-  /** Source: RFC 8259, section 6. */
+  /** The syntax of numbers. Source: RFC 8259, section 6. */
   private static final Pattern NUMBER =
       Pattern.compile("-?(0|[1-9][0-9]*)(\\.[0-9]+)?([eE][-+]?[0-9]+)?");
 
-  /** Fits a {@code long}. */
+  /** A whole number of at most 18 digits, which always fits into a {@code long}. */
   private static final Pattern WHOLE = Pattern.compile("-?[0-9]{1,18}");
 
   private static final String HEX = "0123456789abcdef";
@@ -51,20 +59,21 @@ public final class Json {
   }
 
   /**
-   * What a text says; null is kept in arrays, and a member that is null is left out.
+   * Parses a JSON text. In arrays, null is kept; in objects, a member whose value is null is left
+   * out.
    *
-   * @throws IllegalArgumentException with a sentence, if the text is no JSON or nested too deep
+   * @throws IllegalArgumentException if the text is not JSON, or is nested too deeply; the message
+   *     is one sentence
    */
   public static Object value(String text) {
     return read(text, "expected JSON", DEEPEST);
   }
 
   /**
-   * The members of an object that has no object and no array in it; those that are null are left
-   * out.
+   * Parses an object that contains no objects or arrays. Members whose value is null are left out.
    *
-   * @param example of such an object, for the sentence that refuses something else
-   * @throws IllegalArgumentException with a sentence, if it is none or has something nested
+   * @param example an example of such an object, for the error message
+   * @throws IllegalArgumentException if the text is not such an object; the message is one sentence
    */
   public static Map<String, Object> flatObject(String text, String example) {
     String expected = "expected a JSON object such as " + example;
@@ -100,8 +109,10 @@ public final class Json {
   }
 
   /**
-   * @param name of what is read, for a sentence
-   * @param depth in how many objects and arrays it is
+   * Returns the value that begins with the given event.
+   *
+   * @param name the name of the value, for error messages
+   * @param depth the number of objects and arrays that contain the value
    */
   private Object value(Event event, String name, int depth) {
     if (event instanceof ScalarEvent scalar) {
@@ -149,7 +160,7 @@ public final class Json {
     return Collections.unmodifiableList(items);
   }
 
-  /** Null for null. */
+  /** Returns the value of a scalar; null for null. */
   private Object scalar(ScalarEvent scalar) {
     String word = scalar.getValue();
     if (scalar.getScalarStyle() == ScalarStyle.DOUBLE_QUOTED) {
@@ -174,35 +185,85 @@ public final class Json {
   }
 
   /**
-   * A line of JSON, all in ASCII.
+   * Returns an object with the given members, in their order. Numbers of type {@code Double} are
+   * {@link #rounded}. Optionals are replaced by their values; a member whose optional is empty is
+   * left out.
    *
-   * @param value a map, a list, a text, a finite number, a {@code Boolean} or null
+   * @param members names and values, alternating
+   */
+  public static Map<String, Object> object(Object... members) {
+    Map<String, Object> object = new LinkedHashMap<>();
+    for (int i = 0; i < members.length; i += 2) {
+      Object value = content(members[i + 1]);
+      if (value != null || members[i + 1] == null) {
+        object.put((String) members[i], value instanceof Double number ? rounded(number) : value);
+      }
+    }
+    return object;
+  }
+
+  /**
+   * Returns the value of an optional, or null if it is empty; other values are returned unchanged.
+   */
+  static Object content(Object value) {
+    if (value instanceof Optional<?> optional) {
+      return optional.orElse(null);
+    } else if (value instanceof OptionalInt optional) {
+      return optional.isPresent() ? optional.getAsInt() : null;
+    } else if (value instanceof OptionalDouble optional) {
+      return optional.isPresent() ? optional.getAsDouble() : null;
+    }
+    return value;
+  }
+
+  /**
+   * Formats a value as one line of JSON in ASCII.
+   *
+   * @param value a map, a list, a string, a finite number, a {@code Boolean} or null
    */
   public static String text(Object value) {
     StringBuilder out = new StringBuilder();
-    write(out, value);
+    write(out, value, "");
     return out.toString();
   }
 
-  private static void write(StringBuilder out, Object value) {
+  /**
+   * Formats a value like {@link #text}, but with a line for each member and each item.
+   *
+   * @param value as for {@link #text}
+   */
+  public static String lines(Object value) {
+    StringBuilder out = new StringBuilder();
+    write(out, value, "\n");
+    return out.toString();
+  }
+
+  /**
+   * Writes a value.
+   *
+   * @param end the line break and indent before a closing bracket; empty for a single line
+   */
+  private static void write(StringBuilder out, Object value, String end) {
+    String begin = end.isEmpty() ? "" : end + "  ";
+    String next = end.isEmpty() ? ", " : "," + begin;
     if (value instanceof Map<?, ?> map) {
-      String before = "{";
+      String before = "{" + begin;
       for (Map.Entry<?, ?> entry : map.entrySet()) {
         out.append(before);
         quote(out, String.valueOf(entry.getKey()));
         out.append(": ");
-        write(out, entry.getValue());
-        before = ", ";
+        write(out, entry.getValue(), begin);
+        before = next;
       }
-      out.append(map.isEmpty() ? "{}" : "}");
+      out.append(map.isEmpty() ? "{}" : end + "}");
     } else if (value instanceof List<?> list) {
-      String before = "[";
+      String before = "[" + begin;
       for (Object item : list) {
         out.append(before);
-        write(out, item);
-        before = ", ";
+        write(out, item, begin);
+        before = next;
       }
-      out.append(list.isEmpty() ? "[]" : "]");
+      out.append(list.isEmpty() ? "[]" : end + "]");
     } else if (value instanceof String text) {
       quote(out, text);
     } else {
@@ -210,30 +271,23 @@ public final class Json {
     }
   }
 
-  /** Adds a text in quotes, all in ASCII. */
-  public static void quote(StringBuilder out, String text) {
-    out.append('"');
-    escape(out, text);
-    out.append('"');
+  private static void quote(StringBuilder out, String text) {
+    out.append('"').append(escaped(text)).append('"');
   }
 
+  /** Escapes quotes, backslashes and all characters other than printable ASCII. */
   private static String escaped(String text) {
     StringBuilder out = new StringBuilder();
-    escape(out, text);
-    return out.toString();
-  }
-
-  private static void escape(StringBuilder out, String text) {
     int written = 0;
     for (int i = 0; i < text.length(); i++) {
       char c = text.charAt(i);
       if (c < ' ' || c > '~' || c == '"' || c == '\\') {
-        out.append(text, written, i); // most texts are plain
+        out.append(text, written, i); // most texts need no escapes
         written = i + 1;
         escape(out, c);
       }
     }
-    out.append(text, written, text.length());
+    return out.append(text, written, text.length()).toString();
   }
 
   private static void escape(StringBuilder out, char c) {
@@ -247,7 +301,9 @@ public final class Json {
     }
   }
 
-  /** A number to three decimals, as all times and lengths are written. */
+  /**
+   * Rounds a number to three decimals, the precision with which all times and lengths are written.
+   */
   public static double rounded(double number) {
     return Math.round(number * 1000) / 1000.0;
   }

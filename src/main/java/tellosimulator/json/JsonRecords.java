@@ -7,6 +7,7 @@ import java.lang.reflect.Type;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
@@ -23,42 +24,51 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Turns public records into values of JSON and back, without losing a bit. A record is an object
- * with its components as members; one of a sealed interface also says its {@code type}. Components
- * are records, numbers, texts, enums and addresses, and lists, sets, maps and optionals of these.
- * Nothing is made but what the declared types allow, and each record checks itself. For any thread.
+ * Converts public records to JSON values and back without loss of precision. A record becomes an
+ * object whose members are the components; if the declared type is a sealed interface, the object
+ * also has the member {@code type}. Components may be records, numbers, strings, enums and
+ * addresses, byte arrays (written as strings with one character per byte), and lists, sets, maps
+ * and optionals of these. Only instances of the declared types are created, and each record
+ * validates itself. Thread-safe.
  */
 public final class JsonRecords {
 
-  /** The member that says which record of a sealed interface it is. */
+  /**
+   * The member that contains the simple class name of a record whose declared type is a sealed
+   * interface.
+   */
   private static final String TYPE = "type";
 
-  /** An address in numbers, so that no name is ever looked up. */
+  /** A numeric IP address. Other forms are rejected, so that no host name is ever looked up. */
   private static final Pattern HOST =
       Pattern.compile("[0-9]{1,3}(\\.[0-9]{1,3}){3}|[0-9a-fA-F]*:[0-9a-fA-F:.]+(%[\\w.-]+)?");
 
-  /** A number of which JSON might keep the first digits alone. */
+  /**
+   * The syntax of a number of type {@code long}. Such numbers are written as strings, because JSON
+   * parsers might round large numbers.
+   */
   private static final Pattern LARGE = Pattern.compile("-?[0-9]{1,19}");
 
-  /** Numbers that JSON does not have. */
+  /** The infinite numbers, which are written as strings because JSON cannot represent them. */
   private static final Set<String> INFINITE = Set.of("Infinity", "-Infinity");
 
   private JsonRecords() {}
 
   /**
-   * A record as a value that {@link Json#text} writes.
+   * Converts a record to a value that {@link Json#text} formats.
    *
-   * @param declared its class, or a sealed interface that it implements
+   * @param declared the class of the value, or a sealed interface that it implements
    */
   public static <T> Object write(Class<T> declared, T value) {
     return written(declared, value);
   }
 
   /**
-   * The record that a value of {@link Json#value} says.
+   * Converts a value returned by {@link Json#value} to a record.
    *
-   * @param declared its class, or a sealed interface that it implements
-   * @throws IllegalArgumentException with a sentence, if it says none
+   * @param declared the class of the record, or a sealed interface that it implements
+   * @throws IllegalArgumentException if the value does not describe such a record; the message is
+   *     one sentence
    */
   public static <T> T read(Class<T> declared, Object json) {
     return declared.cast(read(declared, json, declared.getSimpleName()));
@@ -77,11 +87,13 @@ public final class JsonRecords {
       map.forEach((key, each) -> entries.put(word(key), written(argument(declared, 1), each)));
       return entries;
     } else if (value instanceof InetSocketAddress address) {
-      return address.getAddress().getHostAddress() + ":" + address.getPort();
+      return text(address);
+    } else if (value instanceof byte[] bytes) {
+      return new String(bytes, StandardCharsets.ISO_8859_1);
     } else if (value instanceof Boolean || value instanceof Integer || isFinite(value)) {
       return value;
     }
-    return word(value); // such as an infinite number, or one that only a long holds
+    return word(value); // for example, an infinite number or a long
   }
 
   private static boolean isFinite(Object value) {
@@ -106,24 +118,16 @@ public final class JsonRecords {
     return members;
   }
 
-  /** That of a component; null for an empty optional. */
+  /** Returns the value of a component; null for an empty optional. */
   private static Object content(RecordComponent component, Record value) {
     try {
-      Object content = component.getAccessor().invoke(value);
-      if (content instanceof Optional<?> optional) {
-        return optional.orElse(null);
-      } else if (content instanceof OptionalInt optional) {
-        return optional.isPresent() ? optional.getAsInt() : null;
-      } else if (content instanceof OptionalDouble optional) {
-        return optional.isPresent() ? optional.getAsDouble() : null;
-      }
-      return content;
+      return Json.content(component.getAccessor().invoke(value));
     } catch (ReflectiveOperationException e) {
       throw new IllegalArgumentException(value.getClass() + " is not public", e);
     }
   }
 
-  /** What an optional holds; any other type itself. */
+  /** Returns the type inside an optional; other types are returned unchanged. */
   private static Type inner(Type declared) {
     return raw(declared) == Optional.class ? argument(declared, 0) : declared;
   }
@@ -139,8 +143,10 @@ public final class JsonRecords {
   // --- reading ---
 
   /**
-   * @param json null if there is nothing
-   * @param name of what is read, for a sentence
+   * Converts a JSON value to a declared type.
+   *
+   * @param json the value; null if it is missing
+   * @param name the name of the value, for error messages
    */
   private static Object read(Type declared, Object json, String name) {
     Class<?> type = raw(declared);
@@ -177,6 +183,8 @@ public final class JsonRecords {
       return constant(type, word, name);
     } else if (type == InetSocketAddress.class && json instanceof String address) {
       return socketAddress(address);
+    } else if (type == byte[].class && json instanceof String text) {
+      return text.getBytes(StandardCharsets.ISO_8859_1);
     }
     throw new IllegalArgumentException(name + " is not what is expected here");
   }
@@ -257,7 +265,10 @@ public final class JsonRecords {
     return made(type, types, values);
   }
 
-  /** The records that a sealed interface permits, at any depth. */
+  /**
+   * Returns the records that a sealed interface permits, directly or through other sealed
+   * interfaces.
+   */
   private static Stream<Class<?>> records(Class<?> sealed) {
     return Arrays.stream(sealed.getPermittedSubclasses())
         .flatMap(each -> each.isRecord() ? Stream.of(each) : records(each));
@@ -276,10 +287,15 @@ public final class JsonRecords {
     }
   }
 
+  /** Formats an address as its numeric host, a colon and its port. */
+  public static String text(InetSocketAddress address) {
+    return address.getAddress().getHostAddress() + ":" + address.getPort();
+  }
+
   /**
-   * Host and port, in numbers.
+   * Parses a numeric host, a colon and a port, without looking up a host name.
    *
-   * @throws IllegalArgumentException if it is none
+   * @throws IllegalArgumentException if the text does not have this form
    */
   public static InetSocketAddress socketAddress(String text) {
     int colon = text.lastIndexOf(':');

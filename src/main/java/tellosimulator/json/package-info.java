@@ -1,9 +1,10 @@
 /**
- * JSON as the project reads and writes it: the lines of the control channel and the files of a
- * recorded flight.
+ * JSON for the lines of the control channel and the files of recorded flights.
  *
- * <p>{@link tellosimulator.json.Json} turns text into maps, lists, texts, numbers and truth values,
- * and back. It reads nothing that is nested deeper than a bound. All of it is for any thread. The
- * package imports nothing of the project; what the members mean is not its job.
+ * <p>{@link tellosimulator.json.Json} parses a text into maps, lists, strings, numbers and
+ * booleans, and formats these as text. It rejects text that is nested too deeply. {@link
+ * tellosimulator.json.JsonRecords} converts records to such values and back. All classes are
+ * thread-safe. The package imports no other package of the project. The meaning of the members is
+ * not its job.
  */
 package tellosimulator.json;

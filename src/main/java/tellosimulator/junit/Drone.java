@@ -6,12 +6,15 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
-/** Which drone a parameter of type {@link SimulatedDrone} is; without this it is the first one. */
+/**
+ * Selects the drone that a parameter of type {@link SimulatedDrone} receives. Without this
+ * annotation, the parameter receives the first drone.
+ */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.PARAMETER)
 public @interface Drone {
 
-  /** Its number, from 1. */
+  /** The number of the drone, from 1. */
   int value();
 }

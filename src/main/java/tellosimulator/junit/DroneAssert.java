@@ -6,8 +6,9 @@ import java.util.stream.Collectors;
 import org.assertj.core.api.AbstractAssert;
 
 /**
- * Assertions about a drone, in centimetres and degrees. A drone that falls is let fall before one
- * of them looks. Whoever does without AssertJ finds the same in {@link SimulatedDrone#truth}.
+ * Assertions about a drone, in centimetres and degrees. Each assertion first waits until a falling
+ * drone has reached the ground. {@link SimulatedDrone#truth} provides the same facts without
+ * AssertJ.
  */
 public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDrone> {
 
@@ -15,7 +16,7 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
     super(drone, DroneAssert.class);
   }
 
-  /** It has flown, and stands with its motors off, unharmed. */
+  /** Asserts that the drone has flown and now stands undamaged with its motors off. */
   public DroneAssert hasLanded() {
     DroneTruth truth = truth();
     if (!truth.landed()) {
@@ -25,7 +26,7 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
     return this;
   }
 
-  /** Its motors carry it. */
+  /** Asserts that the drone is airborne. */
   public DroneAssert isFlying() {
     DroneTruth truth = truth();
     if (!truth.flying()) {
@@ -34,7 +35,7 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
     return this;
   }
 
-  /** It left the ground so often. */
+  /** Asserts how often the drone has taken off. */
   public DroneAssert tookOff(Times times) {
     int takeoffs = truth().takeoffs();
     if (!times.holds(takeoffs)) {
@@ -43,7 +44,7 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
     return this;
   }
 
-  /** It crashed. */
+  /** Asserts that the drone has crashed. */
   public DroneAssert hasCrashed() {
     DroneTruth truth = truth();
     if (!truth.crashed()) {
@@ -52,7 +53,7 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
     return this;
   }
 
-  /** It never crashed. */
+  /** Asserts that the drone has never crashed. */
   public DroneAssert neverCrashed() {
     DroneTruth truth = truth();
     if (truth.crashed()) {
@@ -61,7 +62,7 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
     return this;
   }
 
-  /** It touched nothing in flight, and did not crash. */
+  /** Asserts that the drone has touched nothing in flight and has not crashed. */
   public DroneAssert neverTouchedAnything() {
     DroneTruth truth = truth();
     if (!truth.touched().isEmpty()) {
@@ -70,7 +71,7 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
     return this;
   }
 
-  /** Its feet were never higher above the floor [cm]. */
+  /** Asserts that the drone's feet always stayed below a given height above the floor [cm]. */
   public DroneAssert stayedBelow(double height) {
     double highest = truth().highest();
     if (highest >= height) {
@@ -79,7 +80,7 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
     return this;
   }
 
-  /** It was at least so far above the floor [cm]. */
+  /** Asserts that the drone has reached at least a given height above the floor [cm]. */
   public DroneAssert climbedTo(double height) {
     double highest = truth().highest();
     if (highest < height) {
@@ -88,7 +89,7 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
     return this;
   }
 
-  /** It was never farther from its start, over the ground [cm]. */
+  /** Asserts that the drone never exceeded a given horizontal distance from its start [cm]. */
   public DroneAssert stayedWithin(double distance) {
     double farthest = truth().farthest();
     if (farthest > distance) {
@@ -99,7 +100,10 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
     return this;
   }
 
-  /** It looks there, give or take some degrees, clockwise from the room's x. */
+  /**
+   * Asserts that the drone's heading equals a value within a tolerance, both in degrees. The
+   * heading is measured clockwise from the room's x axis.
+   */
   public DroneAssert hasHeading(double heading, double tolerance) {
     double difference = Math.abs(Math.IEEEremainder(truth().heading() - heading, 360));
     if (difference > tolerance) {
@@ -111,9 +115,9 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
   }
 
   /**
-   * It flew through a gate.
+   * Asserts that the drone flew through a gate.
    *
-   * @throws IllegalArgumentException if there is no such gate
+   * @throws IllegalArgumentException if the room has no gate with that name
    */
   public DroneAssert visited(String gate) {
     List<String> gates = actual.gates();
@@ -133,15 +137,16 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
   }
 
   /**
-   * It is near a place that is named next.
+   * Begins an assertion that the drone is near a place. A method of the returned object then names
+   * the place.
    *
-   * @param distance over the ground [cm]
+   * @param distance the maximum horizontal distance [cm]
    */
   public Nearness isWithin(double distance) {
     return new Nearness(distance);
   }
 
-  /** The second half of {@link #isWithin}. */
+  /** The second half of {@link #isWithin}: the place from which the distance is measured. */
   public final class Nearness {
 
     private final double distance;
@@ -150,12 +155,15 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
       this.distance = distance;
     }
 
-    /** Of where the drone started. */
+    /** Asserts that the drone is within the distance of its start. */
     public DroneAssert ofStart() {
       return of("its start", truth().start());
     }
 
-    /** Of the floor's point at x (along the room's depth) and y (to the left), in cm. */
+    /**
+     * Asserts that the drone is within the distance of a point on the floor [cm]. The room's x axis
+     * runs along its depth, and its y axis to the left.
+     */
     public DroneAssert of(double x, double y) {
       return of(String.format(Locale.ROOT, "x %.0f, y %.0f cm", x, y), new Position(x, y, 0));
     }

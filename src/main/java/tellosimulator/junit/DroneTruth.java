@@ -3,19 +3,22 @@ package tellosimulator.junit;
 import java.util.List;
 
 /**
- * What is really so about a drone at a moment, and what it did since the test began. Immutable.
+ * The true state of a drone at one moment, and its history since the test began. Immutable.
  *
- * @param position where its feet are
- * @param heading where its nose points [degrees], clockwise seen from above, 0 along the room's x,
- *     within ±180
- * @param battery 0 to 100 [%]
- * @param flying whether its motors carry it
- * @param crashed whether it crashed, also if it was put back since
- * @param takeoffs how often it left the ground
- * @param touched what it touched in flight or crashed into, each with the moment
- * @param visited the names of the gates that it flew through, in order, each once
- * @param start where it stood when the test began
- * @param path where it flew, ten times a second, and where it is now
+ * @param position the position of the drone's feet
+ * @param heading the direction of the drone's nose [degrees], from -180 to 180, clockwise seen from
+ *     above; 0 is along the room's x axis
+ * @param battery the charge of the battery, from 0 to 100 [%]
+ * @param flying whether the drone is airborne
+ * @param crashed whether the drone has crashed, even if it has since been put back at its start
+ * @param takeoffs the number of takeoffs
+ * @param touched the objects that the drone touched in flight or crashed into, each with the time
+ *     of contact
+ * @param visited the names of the gates that the drone flew through, without duplicates, in the
+ *     order of the first passage
+ * @param start the position of the drone's start, at which a reset puts the drone
+ * @param path the positions of the drone in flight, ten per second, followed by its current
+ *     position
  */
 public record DroneTruth(
     Position position,
@@ -30,12 +33,12 @@ public record DroneTruth(
     List<Position> path) {
 
   /**
-   * Something that the drone touched.
+   * A contact of the drone with an object.
    *
-   * @param what such as {@code the front wall}
-   * @param seconds when
-   * @param speed how fast the drone was [cm/s]
-   * @param crash whether it crashed into it
+   * @param what the object, in words, such as {@code the front wall}
+   * @param seconds the simulated time of the contact
+   * @param speed the drone's speed at the contact [cm/s]
+   * @param crash whether the drone crashed into the object
    */
   public record Touch(String what, double seconds, double speed, boolean crash) {}
 
@@ -45,22 +48,22 @@ public record DroneTruth(
     path = List.copyOf(path);
   }
 
-  /** How high its feet are above the floor [cm]. */
+  /** Returns the height of the drone's feet above the floor [cm]. */
   public double height() {
     return position.z();
   }
 
-  /** How high its feet were at the most [cm]. */
+  /** Returns the greatest height of the drone's feet above the floor so far [cm]. */
   public double highest() {
     return path.stream().mapToDouble(Position::z).max().orElse(height());
   }
 
-  /** How far it was from its start at the most, over the ground [cm]. */
+  /** Returns the greatest horizontal distance of the drone from its start so far [cm]. */
   public double farthest() {
     return path.stream().mapToDouble(start::levelDistanceTo).max().orElse(0);
   }
 
-  /** Whether it has flown, and stands on something with its motors off, unharmed. */
+  /** Returns whether the drone has flown and now stands undamaged with its motors off. */
   public boolean landed() {
     return takeoffs > 0 && !flying && !crashed;
   }

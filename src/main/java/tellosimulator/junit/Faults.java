@@ -6,7 +6,10 @@ import tellosimulator.fault.FaultText;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.sim.Control;
 
-/** What goes wrong in a simulation, on demand. Each test begins with that of its settings. */
+/**
+ * Injects faults into a running simulation. Each test begins with the faults and the link quality
+ * from its settings.
+ */
 public final class Faults {
 
   private final TelloSimulator simulator;
@@ -16,10 +19,11 @@ public final class Faults {
   }
 
   /**
-   * Adds one; it begins at once unless it says otherwise.
+   * Adds a fault. The fault begins at once unless its text specifies a later start.
    *
-   * @param text such as {@code no-valid-imu drone 1 after "forward 100" for 3s}
-   * @throws IllegalArgumentException with a sentence, if it is none, or of no drone
+   * @param text the fault in words, such as {@code no-valid-imu drone 1 after "forward 100" for 3s}
+   * @throws IllegalArgumentException if the text is not a valid fault or names a drone that does
+   *     not exist; the message is one sentence
    */
   public void inject(String text) {
     Fault fault = FaultText.read(text);
@@ -27,25 +31,26 @@ public final class Faults {
     simulator.carryOut(new Control.InjectFault(fault));
   }
 
-  /** Ends all. */
+  /** Ends all faults. */
   public void clear() {
     simulator.carryOut(new Control.ClearFaults());
   }
 
   /**
-   * Makes the link better or worse.
+   * Sets the quality of the radio link.
    *
    * @param preset {@code ideal}, {@code lab}, {@code classroom} or {@code crowded}
-   * @throws IllegalArgumentException with a sentence, if there is none of that name
+   * @throws IllegalArgumentException if there is no preset with that name; the message is one
+   *     sentence
    */
   public void link(String preset) {
     simulator.carryOut(new Control.SetLink(LinkPreset.of(preset)));
   }
 
   /**
-   * What goes wrong now with a drone, each in a line.
+   * Returns the faults that currently affect a drone, one line each.
    *
-   * @param drone its number, from 1
+   * @param drone the number of the drone, from 1
    */
   public List<String> running(int drone) {
     simulator.settle();

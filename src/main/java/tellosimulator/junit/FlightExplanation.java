@@ -5,12 +5,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** Tells in words what happened in a test. */
+/** Describes what happened in a test, in words. */
 final class FlightExplanation {
 
   private FlightExplanation() {}
 
-  /** The last commands, the drones, the goals, and below the journals. */
+  /**
+   * Returns an explanation: the last commands, the states of the drones and the goals, then the
+   * journals.
+   */
   static String of(TelloSimulator simulator) {
     List<String> lines = new ArrayList<>();
     simulator.drones().forEach(drone -> lines.add(lastCommand(drone)));

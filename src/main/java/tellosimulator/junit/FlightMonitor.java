@@ -3,18 +3,20 @@ package tellosimulator.junit;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
-import tellosimulator.command.Peer;
+import tellosimulator.command.Reply;
 import tellosimulator.controller.FlightEvent;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalWatch;
+import tellosimulator.goal.Terms;
 import tellosimulator.junit.DroneTruth.Touch;
 import tellosimulator.junit.JournalEntry.Answer;
 import tellosimulator.junit.JournalEntry.Outcome;
@@ -29,15 +31,18 @@ import tellosimulator.world.Obstacle;
 import tellosimulator.world.Shape;
 
 /**
- * Writes down what comes to the drones and what they do, since the simulation began anew. It is
- * told on the simulation thread; what it knows is for any thread.
+ * Records the drones' flights and the datagrams that reach the drones. Each new run begins without
+ * records. Notified on the simulation thread. All queries are thread-safe.
  */
 final class FlightMonitor implements SimListener {
 
-  /** Texts that are kept of a drone. Decided: an hour of {@code rc} at 20 a second. */
+  /**
+   * Maximum number of journal entries per drone. Decided: enough for one hour of {@code rc} at 20
+   * commands per second.
+   */
   private static final int MOST_ENTRIES = 72_000;
 
-  /** Steps from place to place of a path: a tenth of a second. */
+  /** Number of steps between two recorded positions of a path: a tenth of a second. */
   private static final long SAMPLE_STEPS = Math.round(0.1 / SimTime.STEP);
 
   private final List<Flight> flights = new ArrayList<>();
@@ -45,7 +50,7 @@ final class FlightMonitor implements SimListener {
   private final List<Goal> passages = new ArrayList<>();
   private final ReentrantLock lock = new ReentrantLock();
 
-  /** Signalled after each event, and after each step while somebody waits. */
+  /** Signalled after each event, and after each step while a thread waits. */
   private final Condition changed = lock.newCondition();
 
   private volatile Supplier<SimSnapshot> snapshots = () -> null;
@@ -53,9 +58,13 @@ final class FlightMonitor implements SimListener {
   private long steps;
   private int waiting;
 
-  /** One drone's. */
+  /** The recorded flight of one drone. */
   private static final class Flight {
     private final List<JournalEntry> journal = new ArrayList<>();
+
+    /** Journal indexes of the commands, by command number. */
+    private final Map<Integer, Integer> commands = new HashMap<>();
+
     private final List<Touch> touched = new ArrayList<>();
     private final List<Position> path = new ArrayList<>();
     private boolean crashed;
@@ -63,16 +72,17 @@ final class FlightMonitor implements SimListener {
   }
 
   /**
-   * @param obstacles of the room, among them the gates
-   * @param drones how many there are
+   * Creates a monitor for the drones of a room.
+   *
+   * @param obstacles the obstacles of the room, including the gates
+   * @param drones the number of drones
    */
   FlightMonitor(List<Obstacle> obstacles, int drones) {
     for (int drone = 1; drone <= drones; drone++) {
       flights.add(new Flight());
       for (Obstacle obstacle : obstacles) {
         if (obstacle.shape() instanceof Shape.Gate) {
-          passages.add(
-              new Goal.Pass(OptionalInt.of(drone), obstacle.name(), Goal.Direction.EITHER));
+          passages.add(new Goal.Pass(Terms.of(drone), obstacle.name(), Goal.Direction.EITHER));
         }
       }
     }
@@ -80,7 +90,7 @@ final class FlightMonitor implements SimListener {
         new GoalWatch(new Challenge(passages, false, OptionalDouble.empty(), false), news -> {});
   }
 
-  /** Whom to ask for the newest snapshot. */
+  /** Sets the supplier of the newest snapshot. */
   void attach(Supplier<SimSnapshot> newSnapshots) {
     snapshots = newSnapshots;
   }
@@ -97,7 +107,7 @@ final class FlightMonitor implements SimListener {
   }
 
   private void take(SimEvent event) {
-    if (event instanceof SimEvent.Restarted) {
+    if (event instanceof SimEvent.RunStarted) {
       run++;
       flights.replaceAll(flight -> new Flight());
       steps = 0;
@@ -105,7 +115,7 @@ final class FlightMonitor implements SimListener {
     } else if (event instanceof SimEvent.DroneFlight flown) {
       happened(flights.get(flown.drone() - 1), flown);
     } else if (event instanceof SimEvent.FromPeer said) {
-      write(flights.get(said.drone() - 1).journal, said);
+      write(flights.get(said.drone() - 1), said);
     }
   }
 
@@ -125,20 +135,22 @@ final class FlightMonitor implements SimListener {
     return new Touch(touched.phrase().english(), now, Frames.centimeters(speed), crash);
   }
 
-  private static void write(List<JournalEntry> journal, SimEvent.FromPeer said) {
+  private static void write(Flight flight, SimEvent.FromPeer said) {
     double now = said.time().seconds();
     if (said instanceof SimEvent.ReplySent sent) {
-      answer(journal, sent, Outcome.ANSWERED, sent.reply().text(), "");
+      answer(flight, sent, Outcome.ANSWERED, sent.reply(), "");
     } else if (said instanceof SimEvent.CommandRefused refused) {
-      answer(journal, said, Outcome.REFUSED, refused.reply().text(), refused.reason().english());
+      answer(flight, refused, Outcome.REFUSED, refused.reply(), refused.reason().english());
     } else if (said instanceof SimEvent.CommandFailed failed) {
-      answer(journal, said, Outcome.FAILED, failed.reply().text(), failed.reason().english());
+      answer(flight, failed, Outcome.FAILED, failed.reply(), failed.reason().english());
     } else if (said instanceof SimEvent.ReplyLost lost) {
-      explainLost(journal, lost);
-    } else if (journal.size() < MOST_ENTRIES) {
+      explainLost(flight.journal, lost);
+    } else if (flight.journal.size() < MOST_ENTRIES) {
       Outcome outcome = Outcome.TAKEN;
       String explanation = "";
-      if (said instanceof SimEvent.CommandLost lost) {
+      if (said instanceof SimEvent.CommandReceived received) {
+        flight.commands.put(received.request().number(), flight.journal.size());
+      } else if (said instanceof SimEvent.CommandLost lost) {
         outcome = Outcome.LOST;
         explanation = lost.cause().english();
       } else if (said instanceof SimEvent.CommandIgnored ignored) {
@@ -148,17 +160,18 @@ final class FlightMonitor implements SimListener {
         outcome = Outcome.TURNED_AWAY;
         explanation = turned.reason().english();
       }
-      journal.add(
+      flight.journal.add(
           new JournalEntry(
               said.text(), said.peer().address(), now, outcome, List.of(), explanation));
     }
   }
 
-  /** Its answer was given, but never arrived. */
+  /** Explains in the command's entry that the reply was sent but never arrived. */
   private static void explainLost(List<JournalEntry> journal, SimEvent.ReplyLost lost) {
     for (int i = journal.size() - 1; i >= 0; i--) {
       JournalEntry entry = journal.get(i);
-      if (from(lost.peer(), entry) && entry.reply().equals(lost.text().stripTrailing())) {
+      if (entry.sender().equals(lost.peer().address())
+          && entry.reply().equals(lost.text().stripTrailing())) {
         String words = "the answer was lost by " + lost.cause().english();
         journal.set(
             i,
@@ -169,35 +182,15 @@ final class FlightMonitor implements SimListener {
     }
   }
 
-  /** Answers belong to the first such text that has none, or else to the last such text. */
   private static void answer(
-      List<JournalEntry> journal,
-      SimEvent.FromPeer said,
-      Outcome outcome,
-      String reply,
-      String explanation) {
-    int found = -1;
-    for (int i = journal.size() - 1; i >= 0; i--) {
-      JournalEntry entry = journal.get(i);
-      if (entry.text().equals(said.text()) && from(said.peer(), entry)) {
-        boolean open = entry.outcome() == Outcome.TAKEN;
-        if (found < 0 || open) {
-          found = i;
-        }
-        if (outcome == Outcome.REFUSED) {
-          break; // at once, so it is the last one
-        }
-      }
+      Flight flight, SimEvent.OfCommand said, Outcome outcome, Reply reply, String explanation) {
+    Integer index = flight.commands.get(said.request().number());
+    if (index != null) { // null: the journal was full when the command arrived
+      JournalEntry entry = flight.journal.get(index);
+      double delay = said.time().seconds() - entry.seconds();
+      Answer answer = new Answer(reply.text().stripTrailing(), delay);
+      flight.journal.set(index, entry.answered(outcome, answer, explanation));
     }
-    if (found >= 0) {
-      JournalEntry entry = journal.get(found);
-      Answer answer = new Answer(reply.stripTrailing(), said.time().seconds() - entry.seconds());
-      journal.set(found, entry.answered(outcome, answer, explanation));
-    }
-  }
-
-  private static boolean from(Peer peer, JournalEntry entry) {
-    return entry.sender().equals(peer.address());
   }
 
   @Override
@@ -228,7 +221,7 @@ final class FlightMonitor implements SimListener {
     }
   }
 
-  /** How often the simulation began anew. */
+  /** Returns the number of runs started so far. */
   long run() {
     lock.lock();
     try {
@@ -238,7 +231,7 @@ final class FlightMonitor implements SimListener {
     }
   }
 
-  /** What came to a drone. */
+  /** Returns the journal of a drone: the texts that were sent to it, with their outcomes. */
   List<JournalEntry> journal(int drone) {
     lock.lock();
     try {
@@ -248,7 +241,7 @@ final class FlightMonitor implements SimListener {
     }
   }
 
-  /** What is so about a drone now. */
+  /** Returns the current true state of a drone. */
   DroneTruth truth(int drone) {
     lock.lock();
     try {
@@ -278,7 +271,7 @@ final class FlightMonitor implements SimListener {
         path);
   }
 
-  /** The gates that a drone flew through, in order. */
+  /** Returns the gates that a drone flew through, in the order of the first passage. */
   private List<String> visited(int drone) {
     List<OptionalDouble> reached = gates.progress().reached();
     List<Integer> passed = new ArrayList<>();
@@ -291,17 +284,17 @@ final class FlightMonitor implements SimListener {
     return passed.stream().map(i -> ((Goal.Pass) passages.get(i)).gate()).toList();
   }
 
-  /** The names of all gates. */
+  /** Returns the names of all gates. */
   List<String> gates() {
     return passages.stream().map(pass -> ((Goal.Pass) pass).gate()).distinct().toList();
   }
 
   /**
-   * Waits for something.
+   * Waits until a condition holds.
    *
-   * @param timeout how long at the most, by the wall clock
-   * @param wanted what is waited for, asked after each event and step
-   * @return empty if it did not come in time
+   * @param timeout the maximum wait, in wall clock time
+   * @param wanted the condition, evaluated after each event and step
+   * @return the result of the condition; empty on timeout
    */
   <T> Optional<T> await(Duration timeout, Supplier<Optional<T>> wanted) {
     lock.lock();

@@ -2,18 +2,20 @@ package tellosimulator.junit;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Progress;
 
 /**
- * How far the drones have come with the goals of the scenario. Immutable.
+ * The drones' progress towards the goals of the scenario. Immutable.
  *
- * @param reached whether there are goals and all of them are reached
- * @param failed whether they cannot be reached any more
- * @param reason why not, in plain words; empty unless they failed
- * @param done goals that are reached, in words
- * @param open goals that are not, in words
- * @param seconds since the first takeoff, and no further once it is over
+ * @param reached whether the scenario has goals and all of them are reached
+ * @param failed whether the goals can no longer be reached
+ * @param reason the reason for the failure, in plain words; empty unless the goals failed
+ * @param done the reached goals, in words
+ * @param open the remaining goals, in words
+ * @param seconds the time since the first takeoff [simulated s]; stops when the outcome is final
+ * @param score the points; empty if the scenario has none
  */
 public record GoalStatus(
     boolean reached,
@@ -21,7 +23,8 @@ public record GoalStatus(
     String reason,
     List<String> done,
     List<String> open,
-    double seconds) {
+    double seconds,
+    Optional<ScoreStatus> score) {
 
   public GoalStatus {
     done = List.copyOf(done);
@@ -42,15 +45,16 @@ public record GoalStatus(
         progress.failure().map(reason -> reason.english()).orElse(""),
         done,
         open,
-        progress.elapsed());
+        progress.elapsed(),
+        progress.score().map(ScoreStatus::of));
   }
 
-  /** Whether somebody has flown, and goals are left. */
+  /** Returns whether the goals have failed, or a drone has flown and goals remain. */
   boolean missed() {
     return failed || (seconds > 0 && !open.isEmpty());
   }
 
-  /** In a line. */
+  /** Summarizes the progress in one line. */
   @Override
   public String toString() {
     if (done.isEmpty() && open.isEmpty()) {
@@ -59,6 +63,7 @@ public record GoalStatus(
     int all = done.size() + open.size();
     String count = done.size() + " of " + all + " goals reached";
     String next = open.isEmpty() ? "" : "; open: " + String.join("; ", open);
-    return count + (failed ? "; failed: " + reason : "") + next;
+    String points = score.map(each -> "; score: " + each).orElse("");
+    return count + (failed ? "; failed: " + reason : "") + next + points;
   }
 }

@@ -12,16 +12,17 @@ import tellosimulator.command.WireText;
 import tellosimulator.junit.JournalEntry.Outcome;
 
 /**
- * All that came to a drone since the test began, and what it answered. A command is meant by its
- * first words: {@code "forward"} is each {@code forward}, {@code "forward 100"} only that one.
+ * The texts that have been sent to a drone since the test began, and the drone's replies. Methods
+ * identify a command by its first words: {@code "forward"} matches every {@code forward}, {@code
+ * "forward 100"} matches only {@code forward 100}.
  */
 public final class Journal {
 
-  /** What becomes of texts that the drone does not take for commands. */
+  /** The outcomes of texts that the drone did not accept as commands. */
   private static final Set<Outcome> UNTAKEN =
       EnumSet.of(Outcome.LOST, Outcome.IGNORED, Outcome.TURNED_AWAY);
 
-  /** From this many on, equal commands in a row are told in one line. */
+  /** Minimum number of similar consecutive entries for which the printed journal is abbreviated. */
   private static final int MANY = 4;
 
   private final TelloSimulator simulator;
@@ -29,8 +30,10 @@ public final class Journal {
   private final String who;
 
   /**
-   * @param entries of the drone until now
-   * @param who the drone, as a subject
+   * Creates the journal of a drone.
+   *
+   * @param entries supplies the drone's entries so far
+   * @param who the drone, as the subject of a sentence
    */
   Journal(TelloSimulator simulator, Supplier<List<JournalEntry>> entries, String who) {
     this.simulator = simulator;
@@ -38,13 +41,13 @@ public final class Journal {
     this.who = who;
   }
 
-  /** All of it until now, in the order in which the drone took it. */
+  /** Returns all entries so far, in the order in which the texts arrived. */
   public List<JournalEntry> entries() {
     simulator.settle();
     return entries.get();
   }
 
-  /** The texts that the drone took for commands, in order. */
+  /** Returns the texts that the drone accepted as commands, in order. */
   public List<String> commands() {
     return entries().stream()
         .filter(entry -> !UNTAKEN.contains(entry.outcome()))
@@ -52,7 +55,7 @@ public final class Journal {
         .toList();
   }
 
-  /** Commands that the drone refused, or could not bring to their end. */
+  /** Returns the commands that the drone refused or could not complete. */
   public List<JournalEntry> refused() {
     return entries().stream()
         .filter(entry -> entry.outcome() == Outcome.REFUSED || entry.outcome() == Outcome.FAILED)
@@ -60,11 +63,11 @@ public final class Journal {
   }
 
   /**
-   * Waits until a command has come and, unless none is given, an answer to it.
+   * Waits until a command has arrived. If the command has a reply, also waits for the reply.
    *
-   * @param timeout how long at the most, by the wall clock
-   * @return the first such command
-   * @throws AssertionError if it does not come in time
+   * @param timeout the maximum wait, in wall clock time
+   * @return the entry of the first command that matches
+   * @throws AssertionError on timeout
    */
   public JournalEntry await(String command, Duration timeout) {
     Optional<JournalEntry> found = simulator.monitor().await(timeout, () -> settled(command));
@@ -86,9 +89,9 @@ public final class Journal {
   }
 
   /**
-   * Checks how often a command came.
+   * Verifies how often a command arrived.
    *
-   * @throws AssertionError if it came more or less often
+   * @throws AssertionError if it arrived more or less often
    */
   public void verify(Times times, String command) {
     List<JournalEntry> found = all(command);
@@ -106,9 +109,9 @@ public final class Journal {
   }
 
   /**
-   * Checks that a command never came.
+   * Verifies that a command never arrived.
    *
-   * @throws AssertionError if it did
+   * @throws AssertionError if it arrived
    */
   public void never(String command) {
     verify(Times.times(0), command);
@@ -118,7 +121,10 @@ public final class Journal {
     return entries().stream().filter(entry -> entry.is(command)).toList();
   }
 
-  /** All lines; many equal commands in a row are told in one. */
+  /**
+   * Returns all entries, one line each. Of many similar consecutive entries, only the first is
+   * printed, followed by the number of the others.
+   */
   @Override
   public String toString() {
     return lines(entries());

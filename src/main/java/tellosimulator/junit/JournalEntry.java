@@ -7,14 +7,15 @@ import java.util.Locale;
 import tellosimulator.command.WireText;
 
 /**
- * A text that came to a drone, and what became of it until now. Immutable.
+ * A text that was sent to a drone, and its outcome so far. Immutable.
  *
- * @param text as it was sent, without line end
- * @param sender address and port
- * @param seconds when it was taken
- * @param outcome what became of it
- * @param replies in the order in which they were given
- * @param explanation why it was not carried out, in plain words; empty if it was
+ * @param text the text as sent, without its line end
+ * @param sender the sender's address and port
+ * @param seconds the simulated time at which the text arrived [s]
+ * @param outcome the outcome so far
+ * @param replies the replies, in the order in which they were sent
+ * @param explanation the reason why the drone did not carry out the command, or why its reply was
+ *     lost, in plain words; empty if there is none
  */
 public record JournalEntry(
     String text,
@@ -24,29 +25,31 @@ public record JournalEntry(
     List<Answer> replies,
     String explanation) {
 
-  /** What became of a text. */
+  /** The outcome of a text. */
   public enum Outcome {
-    /** It was taken; no answer was given yet, or none ever is, as to {@code rc}. */
+    /**
+     * The drone accepted the text but has not replied yet, or never replies, as with {@code rc}.
+     */
     TAKEN,
-    /** It was answered, and so carried out. */
+    /** The drone carried out the command and replied. */
     ANSWERED,
-    /** The drone said that it does not do it. */
+    /** The drone refused the command in its reply. */
     REFUSED,
-    /** The drone began it, and said that it came to another end. */
+    /** The drone began the command, and replied that it could not complete it. */
     FAILED,
-    /** A fault of the link kept it from the drone. */
+    /** The text never reached the drone, because of a fault of the link. */
     LOST,
-    /** The drone does not react to it. */
+    /** The drone does not react to the text. */
     IGNORED,
-    /** It came from another host than the operator's, and had no effect. */
+    /** The text came from a host other than the operator's, and had no effect. */
     TURNED_AWAY
   }
 
   /**
-   * An answer to a text.
+   * A reply to a text.
    *
-   * @param text as on the wire, but for the line end
-   * @param delay from when the text was taken to the answer [s]
+   * @param text the reply as on the wire, without the line end
+   * @param delay the time from receiving the text to the reply [s]
    */
   public record Answer(String text, double delay) {}
 
@@ -54,22 +57,25 @@ public record JournalEntry(
     replies = List.copyOf(replies);
   }
 
-  /** The last reply; empty if there is none. */
+  /** Returns the last reply, or an empty text if there is none. */
   public String reply() {
     return replies.isEmpty() ? "" : replies.get(replies.size() - 1).text();
   }
 
-  /** Whether nothing more is to be waited for. */
+  /** Whether the outcome is final. */
   boolean settled() {
     return outcome != Outcome.TAKEN || WireText.isUnanswered(text);
   }
 
-  /** Whether it is a command, or begins with it: {@code forward} or {@code forward 100}. */
+  /**
+   * Returns whether the text begins with the given words: both {@code forward} and {@code forward
+   * 100} match {@code forward 100}.
+   */
   boolean is(String command) {
     return text.equals(command) || text.startsWith(command + " ");
   }
 
-  /** The same, of which something more is to be said. */
+  /** Returns a copy of this entry with another explanation. */
   JournalEntry explained(String newExplanation) {
     return new JournalEntry(text, sender, seconds, outcome, replies, newExplanation);
   }
@@ -80,7 +86,7 @@ public record JournalEntry(
     return new JournalEntry(text, sender, seconds, newOutcome, all, newExplanation);
   }
 
-  /** A line of the journal. */
+  /** Returns the entry as a line of the journal. */
   @Override
   public String toString() {
     StringBuilder line = new StringBuilder();

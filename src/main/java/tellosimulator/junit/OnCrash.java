@@ -1,11 +1,14 @@
 package tellosimulator.junit;
 
-/** What becomes of a test whose drone crashed, or missed its goals, though nobody asserted it. */
+/**
+ * Determines whether a test fails if it passes its own assertions, but a drone crashed or the goals
+ * were missed.
+ */
 public enum OnCrash {
 
-  /** It fails. */
+  /** The test fails. */
   FAIL,
 
-  /** Nothing: the test judges by itself. */
+  /** The test passes: only its own assertions count. */
   ALLOW
 }

@@ -15,15 +15,18 @@ import java.util.regex.Pattern;
 import tellosimulator.words.Spelling;
 
 /**
- * A program in any language that flies a drone: a process whose output is kept, and which is killed
- * with all that it started when its time is over. For one thread.
+ * A program in any language that flies a drone. The program runs as a process with captured output.
+ * At the time limit, it is killed with all its descendants. Not thread-safe.
  */
 public final class OperatorProgram {
 
-  /** Lines of output in a failure. Decided: a stack trace of Python and what led to it. */
+  /**
+   * Number of output lines in a failure message. Decided: enough for a Python stack trace and the
+   * lines before it.
+   */
   private static final int SHOWN_LINES = 40;
 
-  /** How long a program that was killed may take to end. Decided: longer than any system needs. */
+  /** Maximum time to wait for a killed program to end. Decided: longer than any system needs. */
   private static final Duration PATIENCE = Duration.ofSeconds(10);
 
   private static final Pattern PLACEHOLDER = Pattern.compile("\\{[A-Za-z]+}");
@@ -36,7 +39,9 @@ public final class OperatorProgram {
   private String output = "";
 
   /**
-   * @param started is told when it is run
+   * Creates a program that has not been run yet.
+   *
+   * @param started notified when the program is run
    * @throws IllegalArgumentException if a word is an unknown placeholder
    */
   OperatorProgram(List<String> command, SimulatedDrone drone, Consumer<OperatorProgram> started) {
@@ -60,9 +65,8 @@ public final class OperatorProgram {
       throw new IllegalArgumentException(
           "there is no placeholder "
               + word
-              + Spelling.meant(word, values.keySet())
-                  .map(meant -> ", did you mean " + meant + "?")
-                  .orElse(", but only " + String.join(", ", values.keySet())));
+              + Spelling.hint(
+                  word, values.keySet(), ", but only " + String.join(", ", values.keySet())));
     }
     String filled = word;
     for (Map.Entry<String, String> value : values.entrySet()) {
@@ -71,16 +75,19 @@ public final class OperatorProgram {
     return filled;
   }
 
-  /** Kills it after so long by the wall clock; without this, after a minute. */
+  /**
+   * Sets the time limit, in wall clock time. At the limit, the program is killed. The default is
+   * one minute.
+   */
   public OperatorProgram within(Duration newLimit) {
     limit = newLimit;
     return this;
   }
 
   /**
-   * Where it runs; without this, where the test does.
+   * Sets the working directory. The default is the test's own working directory.
    *
-   * @throws IllegalArgumentException if there is no such folder
+   * @throws IllegalArgumentException if the folder does not exist
    */
   public OperatorProgram in(Path newDirectory) {
     if (!Files.isDirectory(newDirectory)) {
@@ -92,11 +99,11 @@ public final class OperatorProgram {
   }
 
   /**
-   * Runs it to its end.
+   * Runs the program until it ends.
    *
-   * @return itself, with its output
-   * @throws AssertionError with the end of its output, if it cannot be started, if it was killed,
-   *     or if its exit code is not 0
+   * @return this program, with its output
+   * @throws AssertionError if the program cannot be started, was killed, or ended with an exit code
+   *     other than 0; the message contains the last lines of its output
    */
   public OperatorProgram run() {
     int exit = exitCode();
@@ -107,10 +114,11 @@ public final class OperatorProgram {
   }
 
   /**
-   * Runs it to its end, whatever that is.
+   * Runs the program until it ends, and accepts any exit code.
    *
-   * @return its exit code
-   * @throws AssertionError with the end of its output, if it cannot be started, or if it was killed
+   * @return the exit code
+   * @throws AssertionError if the program cannot be started or was killed; the message contains the
+   *     last lines of its output
    */
   public int exitCode() {
     started.accept(this);
@@ -135,7 +143,7 @@ public final class OperatorProgram {
             .redirectOutput(kept.toFile())
             .start();
     try {
-      process.getOutputStream().close(); // it has nothing to read
+      process.getOutputStream().close(); // the program gets no input
       if (!process.waitFor(limit.toMillis(), TimeUnit.MILLISECONDS)) {
         kill(process);
         output = Files.readString(kept, Charset.defaultCharset());
@@ -154,7 +162,7 @@ public final class OperatorProgram {
     }
   }
 
-  /** Ends it with all that it started, and waits until it has ended. */
+  /** Kills the process with all its descendants, and waits until it has ended. */
   private static void kill(Process process) {
     process.descendants().forEach(ProcessHandle::destroyForcibly);
     process.destroyForcibly();
@@ -179,13 +187,13 @@ public final class OperatorProgram {
             String.join(System.lineSeparator(), last)));
   }
 
-  /** Its command line. */
+  /** Returns the command line. */
   @Override
   public String toString() {
     return String.join(" ", command);
   }
 
-  /** What it wrote to standard output and standard error. */
+  /** Returns the standard output and standard error of the program. */
   public String output() {
     return output;
   }

@@ -16,20 +16,27 @@ import java.util.List;
 import java.util.concurrent.Semaphore;
 
 /**
- * Ports that no other simulator of this machine gives to a program under test, in whichever process
- * it runs. A locked file stands for each; locks end with their process. The ports are below those
- * from which systems choose by themselves, so nobody else comes upon them by chance.
+ * Reserves ports for simulators and the programs under test. No two simulators on this machine hold
+ * the same port, even in different processes: a locked file represents each reserved port, and a
+ * lock ends with its process. The ports are below the ephemeral range of every operating system, so
+ * no other program is assigned one by chance.
  */
 final class PortReservation implements AutoCloseable {
 
   private static final int FIRST = 20_000;
 
-  /** Systems choose by themselves from 32768 (Linux) or 49152 on (Windows, macOS; RFC 6335). */
+  /**
+   * The end of the range, exclusive. Documented: ephemeral ports begin at 32768 (Linux) or at 49152
+   * (Windows and macOS; RFC 6335).
+   */
   private static final int END = 32_768;
 
   private static final String REAL = "real";
 
-  /** File locks belong to a process; this is for its threads. */
+  /**
+   * Held while a simulator in this process uses the real ports. A file lock does not exclude other
+   * threads, because it belongs to the whole process.
+   */
   private static final Semaphore REAL_PORTS = new Semaphore(1);
 
   private final List<FileChannel> locks = new ArrayList<>();
@@ -39,9 +46,10 @@ final class PortReservation implements AutoCloseable {
   private PortReservation() {}
 
   /**
-   * Reserves ports. For the real ones it waits until nobody else has them.
+   * Reserves free ports, or the real ports. If another simulator holds the real ports, waits until
+   * it releases them.
    *
-   * @param count how many free ones
+   * @param count the number of free ports to reserve
    */
   static PortReservation of(PortChoice which, int count) {
     PortReservation reservation = new PortReservation();
@@ -66,7 +74,7 @@ final class PortReservation implements AutoCloseable {
     real = true;
     FileChannel channel = open(folder, REAL);
     locks.add(channel);
-    FileLock lock = channel.lock(); // until another process has ended or closed its simulator
+    FileLock lock = channel.lock(); // waits until another process has ended or closed its simulator
     if (!lock.isValid()) {
       throw new IOException("the lock of the real ports was lost");
     }
@@ -90,9 +98,12 @@ final class PortReservation implements AutoCloseable {
     }
   }
 
-  /** Where to begin to look: elsewhere for each process and reservation, so that few meet. */
+  /**
+   * Returns the first port to try. It differs between processes and reservations, to avoid
+   * contention.
+   */
   private int first() {
-    long process = ProcessHandle.current().pid() * 7919; // neighbours far from each other
+    long process = ProcessHandle.current().pid() * 7919; // spreads consecutive process ids
     return FIRST + (int) ((process + System.identityHashCode(this)) % (END - FIRST));
   }
 
@@ -117,12 +128,12 @@ final class PortReservation implements AutoCloseable {
     }
   }
 
-  /** The free ones. */
+  /** Returns the reserved free ports. */
   List<Integer> ports() {
     return ports;
   }
 
-  /** Gives them back. */
+  /** Releases the ports. */
   @Override
   public void close() {
     try {

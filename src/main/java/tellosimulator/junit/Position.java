@@ -5,8 +5,8 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 
 /**
- * A place in the room [cm]: x along its depth, y to the left, z up, from the middle of the floor. A
- * drone is where its feet are. Immutable.
+ * A position in the room [cm]: x along the room's depth, y to the left, z up. The origin is the
+ * middle of the floor. The position of a drone is that of its feet. Immutable.
  */
 public record Position(double x, double y, double z) {
 
@@ -17,12 +17,12 @@ public record Position(double x, double y, double z) {
         Frames.centimeters(place.z()));
   }
 
-  /** Straight to another place [cm]. */
+  /** Returns the straight-line distance to another position [cm]. */
   public double distanceTo(Position other) {
     return Math.hypot(levelDistanceTo(other), z - other.z);
   }
 
-  /** To the point over or under another place [cm]. */
+  /** Returns the horizontal distance to another position [cm]. */
   public double levelDistanceTo(Position other) {
     return Math.hypot(x - other.x, y - other.y);
   }

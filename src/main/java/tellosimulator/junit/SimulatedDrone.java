@@ -11,8 +11,8 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig.StreamPorts;
 
 /**
- * A drone of a {@link TelloSimulator}: where programs reach it, what a test may do to it, and what
- * it really does. Programs only see its wire.
+ * A drone of a {@link TelloSimulator}: its network addresses, the controls that a test has over it,
+ * and its true state. A program under test sees only the network traffic.
  */
 public final class SimulatedDrone {
 
@@ -29,51 +29,51 @@ public final class SimulatedDrone {
     this.journal = new Journal(simulator, () -> monitor.journal(number), toString());
   }
 
-  /** From 1. */
+  /** Returns the number of the drone, from 1. */
   public int number() {
     return number;
   }
 
-  /** Where it takes commands. */
+  /** Returns the address and port on which the drone receives commands. */
   public InetSocketAddress address() {
     return simulator.address(number);
   }
 
-  /** The address at which it takes commands, in digits. */
+  /** Returns the IP address on which the drone receives commands, in numeric form. */
   public String host() {
     return address().getAddress().getHostAddress();
   }
 
-  /** The port at which it takes commands. */
+  /** Returns the port on which the drone receives commands. */
   public int commandPort() {
     return address().getPort();
   }
 
-  /** The port of the program under test to which it sends its state. */
+  /** Returns the port on which the program under test receives the drone's state. */
   public int statePort() {
     return streamPorts.statePort();
   }
 
-  /** The port of the program under test to which it sends its video. */
+  /** Returns the port on which the program under test receives the drone's video. */
   public int videoPort() {
     return streamPorts.videoPort();
   }
 
   /**
-   * Charges or drains its battery.
+   * Sets the charge of the drone's battery.
    *
    * @param percent 0 to 100
-   * @throws IllegalArgumentException if it is not
+   * @throws IllegalArgumentException if the charge is outside this range
    */
   public void battery(double percent) {
     simulator.carryOut(new Control.SetBattery(number, percent));
   }
 
   /**
-   * Puts it elsewhere on the floor, if it stands, and its start in any case; it looks along the
-   * room's x.
+   * Moves the drone's start. A drone that stands on the ground moves with it. At its start, the
+   * drone faces along the room's x axis.
    *
-   * @param x along the room's depth, from its middle [cm]
+   * @param x along the room's depth, from the middle of the room [cm]
    * @param y to the left [cm]
    */
   public void placeAt(double x, double y) {
@@ -81,14 +81,17 @@ public final class SimulatedDrone {
   }
 
   /**
-   * The same, looking elsewhere.
+   * Moves the drone's start. A drone that stands on the ground moves with it.
    *
-   * @param heading where its nose points [degrees], clockwise seen from above, 0 along the room's x
-   * @throws IllegalArgumentException if the place is not in the room, or the heading not from -360
-   *     to 360 degrees
+   * @param x along the room's depth, from the middle of the room [cm]
+   * @param y to the left [cm]
+   * @param heading the direction of the drone's nose [degrees], clockwise seen from above; 0 is
+   *     along the room's x axis
+   * @throws IllegalArgumentException if the place is outside the room, or the heading is not from
+   *     -360 to 360 degrees
    */
   public void placeAt(double x, double y, double heading) {
-    Limits.checkAngle("heading", heading);
+    TelloSimulation.checkAngle("heading", heading);
     Vec3 place = new Vec3(Frames.meters(x), Frames.meters(y), 0);
     if (!simulator.snapshot().room().contains(place, DroneSpec.COLLIDER)) {
       throw new IllegalArgumentException(
@@ -102,35 +105,37 @@ public final class SimulatedDrone {
     simulator.carryOut(new Control.SetStart(number, place, Frames.headingOfYaw(heading)));
   }
 
-  /** Puts it back to its start, free for any operator. */
+  /** Puts the drone back at its start, and releases it from its operator. */
   public void reset() {
     simulator.carryOut(new Control.Reset(number));
   }
 
-  /** Switches it on or off. */
+  /** Switches the drone on or off. */
   public void power(boolean on) {
     simulator.carryOut(new Control.Power(number, on));
   }
 
-  /** What is really so now; nothing of it is on the wire. */
+  /** Returns the drone's current true state. It is read from the simulation, not from the wire. */
   public DroneTruth truth() {
     simulator.settle();
     return simulator.monitor().truth(number);
   }
 
-  /** What came to it, and what it answered. */
+  /** Returns the texts that were sent to the drone, and its replies. */
   public Journal journal() {
     return journal;
   }
 
   /**
-   * A program that shall fly it, such as {@code program("python3", "fly.py", "{host}",
-   * "{commandPort}")}.
+   * Creates a program that will fly this drone, such as {@code program("python3", "fly.py",
+   * "{host}", "{commandPort}")}.
    *
-   * @param command program and arguments, in which {@code {host}}, {@code {commandPort}}, {@code
-   *     {statePort}} and {@code {videoPort}} stand for this drone's
-   * @return which is to be {@link OperatorProgram#run run}; a test that forgets it fails
-   * @throws IllegalArgumentException if a word is a placeholder that is none of these
+   * @param command the program and its arguments; the placeholders {@code {host}}, {@code
+   *     {commandPort}}, {@code {statePort}} and {@code {videoPort}} are replaced with the values of
+   *     this drone
+   * @return the program, not started yet; a test that never {@linkplain OperatorProgram#run runs}
+   *     it fails
+   * @throws IllegalArgumentException if a word is any other placeholder
    */
   public OperatorProgram program(String... command) {
     if (command.length == 0) {
@@ -141,19 +146,19 @@ public final class SimulatedDrone {
     return program;
   }
 
-  /** See {@link TelloSimulator#awaitFalls}. */
+  /** Waits until falling drones have reached the ground. */
   void awaitFalls() {
     simulator.awaitFalls();
   }
 
-  /** What goes wrong with it, each in a line. */
+  /** Returns the faults that currently affect the drone, one line each. */
   List<String> faults() {
     return simulator.snapshot().drones().get(number - 1).faults().faults().stream()
         .map(Fault::toString)
         .toList();
   }
 
-  /** The names of the gates through which it can fly. */
+  /** Returns the names of the gates in the room. */
   List<String> gates() {
     return simulator.monitor().gates();
   }

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.FaultText;
 import tellosimulator.fault.LinkPreset;
@@ -24,10 +23,11 @@ import tellosimulator.time.TimeFactor;
 import tellosimulator.words.Spelling;
 
 /**
- * What is simulated: all that can be said of a {@link TelloSimulator} before it starts. Each method
- * returns this object. Whether what was said makes sense is checked at the start. For one thread.
+ * The settings of a {@link TelloSimulator}, made before the simulator starts. Each setter returns
+ * this object. Whether the settings are consistent is checked when the simulator starts. Not
+ * thread-safe.
  *
- * @param <T> the kind of this object
+ * @param <T> the concrete type of this object
  */
 public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
     permits TelloSimulator.Builder, TelloSimulatorExtension.Builder {
@@ -47,13 +47,19 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
 
   abstract T self();
 
-  /** A file, or one of the scenarios that come with the program; without this, an empty room. */
+  /**
+   * Sets the scenario: a file, or one of the scenarios that come with the program. The default is
+   * an empty room.
+   */
   public T scenario(String fileOrName) {
     scenario = fileOrName;
     return self();
   }
 
-  /** How many drones, beside each other; only without a scenario, which says it. */
+  /**
+   * Sets the number of drones. They stand side by side. Not allowed together with a scenario,
+   * because a scenario defines its own drones.
+   */
   public T drones(int count) {
     if (count < 1) {
       throw new IllegalArgumentException("drones is " + count + ", but must be at least 1");
@@ -62,36 +68,41 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
     return self();
   }
 
-  /** Which product: {@code edu}, {@code tello} or {@code tt}. */
+  /** Sets the product: {@code edu}, {@code tello} or {@code tt}. */
   public T profile(String name) {
     profile = name;
     return self();
   }
 
-  /** After which account of the drone: {@code report}, or {@code measured} with its noise. */
+  /**
+   * Sets the reference model of the drone: {@code report}, or {@code measured}, which includes
+   * noise.
+   */
   public T behavior(String name) {
     behavior = name;
     return self();
   }
 
   /**
-   * How many simulated seconds pass in a second of the wall clock; without this {@code max}: as
-   * fast as the machine can while somebody waits for an answer, and not at all otherwise.
+   * Sets the number of simulated seconds per second of wall clock time. The default is {@code max}:
+   * time passes as fast as the machine allows while a client waits for a reply, and stands still
+   * otherwise.
    */
   public T timeFactor(String factor) {
     timeFactor = factor;
     return self();
   }
 
-  /** Of everything random; without this, the scenario's. */
+  /** Sets the seed of all randomness. The default is the seed of the scenario. */
   public T seed(long number) {
     seed = OptionalLong.of(number);
     return self();
   }
 
   /**
-   * How good the link is: {@code ideal}, {@code lab}, {@code classroom} or {@code crowded}; without
-   * this, as the scenario says, or what the behaviour usually has.
+   * Sets the quality of the radio link: {@code ideal}, {@code lab}, {@code classroom} or {@code
+   * crowded}. The default is the scenario's link quality, or the behaviour's if the scenario has
+   * none.
    */
   public T link(String preset) {
     link = preset;
@@ -99,22 +110,23 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
   }
 
   /**
-   * Something more that goes wrong.
+   * Adds a fault.
    *
-   * @param text such as {@code loss state 20% at 5s for 10s}; see the page on faults
+   * @param text the fault in words, such as {@code loss state 20% at 5s for 10s}; docs/faults.md
+   *     lists all faults
    */
   public T fault(String text) {
     faults.add(text);
     return self();
   }
 
-  /** Whether drones film after {@code streamon}; without this they do. */
+  /** Sets whether the drones send video after {@code streamon}. The default is true. */
   public T video(boolean filmed) {
     video = filmed;
     return self();
   }
 
-  /** Which ports are used; without this, free ones. */
+  /** Sets the ports to use. The default is free ports. */
   public T ports(PortChoice which) {
     ports = which;
     return self();
@@ -129,9 +141,10 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
   }
 
   /**
-   * What is to be simulated.
+   * Returns the scenario to simulate.
    *
-   * @throws IllegalArgumentException with a sentence that names what is wrong
+   * @throws IllegalArgumentException if a setting is invalid; the message names the setting or
+   *     lists the errors in the scenario file
    */
   Scenario scenario() {
     if (scenario.isEmpty()) {
@@ -144,7 +157,8 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
                   Formation.row(count, empty.starts().get(0).position(), empty.arena().room()))));
     }
     try {
-      Scenario opened = OpenedScenario.named(scenario).scenario();
+      OpenedScenario named = OpenedScenario.named(scenario);
+      Scenario opened = (seed.isPresent() ? named.drawnFrom(seed.getAsLong()) : named).scenario();
       if (drones != 0) {
         throw new IllegalArgumentException(
             "drones does not go with scenario "
@@ -210,18 +224,18 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
     }
     List<String> names = Arrays.stream(values).map(name).toList();
     if (!names.contains(word)) {
-      String guess =
-          Spelling.meant(word, names).map(meant -> ", did you mean " + meant + "?").orElse("");
       throw new IllegalArgumentException(
-          names.stream()
-                  .collect(
-                      Collectors.joining(", ", what + " is " + word + ", but must be one of ", ""))
-              + guess);
+          what
+              + " is "
+              + word
+              + ", but must be one of "
+              + String.join(", ", names)
+              + Spelling.hint(word, names, ""));
     }
     return Optional.of(values[names.indexOf(word)]);
   }
 
-  /** The setups of the drones with places for their state and video. */
+  /** Returns a copy in which the drones send state and video to the given ports. */
   static SimConfig withStreamPorts(SimConfig config, List<StreamPorts> streamPorts) {
     List<DroneSetup> changed = new ArrayList<>();
     for (int i = 0; i < config.drones().size(); i++) {

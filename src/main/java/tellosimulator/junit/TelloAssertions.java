@@ -1,12 +1,17 @@
 package tellosimulator.junit;
 
-/** The way into assertions about drones in the manner of AssertJ, which must be there for them. */
+/** The entry point for AssertJ assertions about drones and points. Requires AssertJ. */
 public final class TelloAssertions {
 
   private TelloAssertions() {}
 
-  /** Assertions about what a drone did since the test began, and is doing now. */
+  /** Returns assertions about a drone's current state and its history since the test began. */
   public static DroneAssert assertThat(SimulatedDrone drone) {
     return new DroneAssert(drone);
+  }
+
+  /** Returns assertions about the points for the goals of the scenario. */
+  public static SimulationAssert assertThat(TelloSimulation simulation) {
+    return new SimulationAssert(simulation);
   }
 }

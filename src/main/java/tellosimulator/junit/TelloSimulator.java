@@ -27,10 +27,11 @@ import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStreams;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.codec.H264Encoder;
+import tellosimulator.words.Phrase;
 
 /**
- * A simulator for tests: drones that are on and listen on loopback, whose time runs as fast as the
- * machine can unless it is told otherwise.
+ * A simulator for tests. Its drones are switched on and listen on loopback. Simulated time passes
+ * as fast as the machine allows, unless another time factor is set.
  *
  * <pre>{@code
  * try (TelloSimulator simulator = TelloSimulator.start("slalom")) {
@@ -42,30 +43,33 @@ import tellosimulator.video.codec.H264Encoder;
  */
 public final class TelloSimulator implements AutoCloseable {
 
-  /** How long a fall may take by the wall clock. Decided: longer than from any ceiling. */
+  /**
+   * Maximum wall clock time to wait until falling drones have reached the ground. Decided: longer
+   * than a fall from any ceiling takes.
+   */
   private static final Duration LONGEST_FALL = Duration.ofSeconds(5);
 
   private final FlightMonitor monitor;
   private final GoalWatch goals;
 
-  /** Remembers the flights of a test. */
+  /** Records the flights of the current test, so that recordings and reports can be published. */
   private final FlightRecorder recorder;
 
   private final SimConfig config;
   private final OnlineSimulation online;
 
-  /** Programs that a test has named and not run yet. */
+  /** Programs that a test has created but not yet run. */
   private final List<OperatorProgram> unstarted = new CopyOnWriteArrayList<>();
 
   private final List<SimulatedDrone> drones = new ArrayList<>();
   private final TelloSimulation simulation = new TelloSimulation(this);
 
-  /** What is done at the end. */
+  /** Closes all parts of the simulator. */
   private final Runnable end;
 
   private volatile boolean closed;
 
-  /** What is simulated, and the way to start it. */
+  /** The settings of a simulator, with the method that starts it. */
   public static final class Builder extends SimulatorSettings<Builder> {
 
     private Builder() {}
@@ -76,27 +80,28 @@ public final class TelloSimulator implements AutoCloseable {
     }
 
     /**
-     * Starts with all drones on.
+     * Starts a simulator with these settings and all drones switched on.
      *
-     * @throws IllegalArgumentException with a sentence, if the settings make no sense
-     * @throws IllegalStateException with a sentence, if the ports cannot be had
+     * @throws IllegalArgumentException if a setting is invalid; the message names the setting or
+     *     lists the errors in the scenario file
+     * @throws IllegalStateException if the ports are not available; the message is one sentence
      */
     public TelloSimulator start() {
       return new TelloSimulator(this);
     }
   }
 
-  /** What can be said before the start. */
+  /** Returns a builder with default settings. */
   public static Builder builder() {
     return new Builder();
   }
 
-  /** Starts one drone in an empty room. */
+  /** Starts a simulator with one drone in an empty room. */
   public static TelloSimulator start() {
     return builder().start();
   }
 
-  /** Starts a scenario: a file, or one of those that come with the program. */
+  /** Starts a simulator with a scenario: a file, or one of those that come with the program. */
   public static TelloSimulator start(String scenario) {
     return builder().scenario(scenario).start();
   }
@@ -114,7 +119,7 @@ public final class TelloSimulator implements AutoCloseable {
             config,
             plan(settings.ports(), count),
             OptionalInt.empty(),
-            List.of(goals, monitor)); // who waits on the monitor then finds the goals judged
+            List.of(goals, monitor)); // goals first, so that they are up to date when waiters wake
     monitor.attach(online::snapshot);
     recorder = recorder(scenario, config, goals);
     Optional<VideoStreams> video =
@@ -173,13 +178,13 @@ public final class TelloSimulator implements AutoCloseable {
   }
 
   /**
-   * For a simulation that runs already, such as that of the program without a window; closing what
-   * is returned does not end it.
+   * Wraps a running simulation, such as that of the program when it runs without a window. Closing
+   * the returned simulator does not stop the simulation.
    *
-   * @param goals listens to the simulation
-   * @hidden for the program itself, and of no use to tests
+   * @param goals the goals, already registered as a listener of the simulation
+   * @hidden internal to the program, and of no use to tests
    */
-  @SuppressWarnings("InvalidBlockTag") // it is allowed on methods
+  @SuppressWarnings("InvalidBlockTag") // this tag is allowed on methods
   public static TelloSimulator of(OnlineSimulation online, Scenario scenario, GoalWatch goals) {
     return new TelloSimulator(online, scenario, goals);
   }
@@ -201,23 +206,26 @@ public final class TelloSimulator implements AutoCloseable {
     return streamPorts;
   }
 
-  /** All on 127.0.0.1 where ports are free ones, since some systems have no other address. */
+  /**
+   * Returns the addresses on which the drones receive commands. With free ports, all drones share
+   * 127.0.0.1, because some systems have no other loopback address.
+   */
   private static AddressPlan plan(PortChoice ports, int count) {
     return ports == PortChoice.REAL
         ? AddressPlan.ofMachine(count, AddressPlan.REAL_COMMAND_PORT)
         : AddressPlan.portPerDrone(count, List.of(InetAddress.getLoopbackAddress()), 0);
   }
 
-  /** The only drone, or the first one. */
+  /** Returns the first drone, which is the only one by default. */
   public SimulatedDrone drone() {
     return drones.get(0);
   }
 
   /**
-   * A drone.
+   * Returns a drone.
    *
-   * @param number from 1
-   * @throws IllegalArgumentException if there is no such drone
+   * @param number the number of the drone, from 1
+   * @throws IllegalArgumentException if there is no drone with that number
    */
   public SimulatedDrone drone(int number) {
     if (number < 1 || number > drones.size()) {
@@ -229,19 +237,19 @@ public final class TelloSimulator implements AutoCloseable {
     return drones.get(number - 1);
   }
 
-  /** All drones, in the order of their numbers. */
+  /** Returns all drones, in the order of their numbers. */
   public List<SimulatedDrone> drones() {
     return List.copyOf(drones);
   }
 
-  /** Time, goals and weather. */
+  /** Returns the simulation, with its time, goals, faults and wind. */
   public TelloSimulation simulation() {
     return simulation;
   }
 
   /**
-   * Begins anew: drones stand at their starts as at first, nobody commands them, their journals are
-   * empty, and the same commands have the same effects as before.
+   * Resets the simulation. All drones stand at their initial starts, have no operator, and have an
+   * empty journal. The same commands have the same effects as before the reset.
    */
   public void reset() {
     checkOpen();
@@ -254,17 +262,17 @@ public final class TelloSimulator implements AutoCloseable {
   }
 
   /**
-   * What happened, for people: the last command of each drone, where it is and what it did, what is
-   * left to be reached, and below all that came to it.
+   * Explains in words what happened: the last command, state and history of each drone, the goals,
+   * and finally the complete journals.
    */
   public String explanation() {
     return FlightExplanation.of(this);
   }
 
   /**
-   * Ends it; its ports are free afterwards.
+   * Stops the simulator and frees its ports.
    *
-   * @throws IllegalStateException if it was closed already
+   * @throws IllegalStateException if the simulator has already been closed
    */
   @Override
   public void close() {
@@ -272,7 +280,7 @@ public final class TelloSimulator implements AutoCloseable {
     closeOnce();
   }
 
-  /** Ends it, unless it was closed already. */
+  /** Stops the simulator, unless it has already been closed. */
   void closeOnce() {
     if (closed) {
       return;
@@ -287,14 +295,14 @@ public final class TelloSimulator implements AutoCloseable {
     }
   }
 
-  // --- for the kit ---
+  // --- internal to the test kit ---
 
-  /** Remembers what drones fly, once it is told to. */
+  /** Returns the recorder. It records only after a call to {@link #remember}. */
   FlightRecorder recorder() {
     return recorder;
   }
 
-  /** Remembers what drones fly from now on. */
+  /** Starts recording the flights. */
   void remember() {
     recorder.attach(online);
   }
@@ -303,7 +311,10 @@ public final class TelloSimulator implements AutoCloseable {
     return monitor;
   }
 
-  /** Lets the monitor know all that programs have seen; nothing changes after the end. */
+  /**
+   * Waits until the monitor has recorded everything that programs may already have observed. Does
+   * nothing if the simulator is closed.
+   */
   void settle() {
     if (!closed) {
       online.settle();
@@ -350,22 +361,22 @@ public final class TelloSimulator implements AutoCloseable {
     return closed;
   }
 
-  /** A program was named that is to be run. */
+  /** Registers a program that must be run before the test ends. */
   void named(OperatorProgram program) {
     unstarted.add(program);
   }
 
-  /** It is run. */
+  /** Marks a registered program as run. */
   void started(OperatorProgram program) {
     unstarted.remove(program);
   }
 
-  /** Programs that were named since the last reset and never run. */
+  /** Returns the programs that have been created since the last reset but have not been run. */
   List<OperatorProgram> unstarted() {
     return List.copyOf(unstarted);
   }
 
-  /** Waits until drones that fall lie on the ground, so that it is known whether they crashed. */
+  /** Waits until falling drones have reached the ground, so that crashes are known. */
   void awaitFalls() {
     settle();
     if (!closed && monitor.await(LONGEST_FALL, this::nobodyFalls).isPresent()) {
@@ -380,8 +391,22 @@ public final class TelloSimulator implements AutoCloseable {
         : Optional.of(true);
   }
 
-  /** What is thrown when something did not come about. */
-  AssertionError failure(String what) {
-    return new FlightFailure(what, explanation());
+  /**
+   * Returns the error for an expectation that failed.
+   *
+   * @param what a description of the failure, with format specifiers for the values
+   */
+  AssertionError failure(String what, Object... values) {
+    return new FlightFailure(Phrase.format(Locale.ROOT, what, values), explanation());
+  }
+
+  /** A failed expectation, with an explanation of what happened instead. */
+  static final class FlightFailure extends AssertionError {
+
+    private static final long serialVersionUID = 1;
+
+    FlightFailure(String what, String explanation) {
+      super(what + System.lineSeparator() + explanation);
+    }
   }
 }

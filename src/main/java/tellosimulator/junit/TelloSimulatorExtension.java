@@ -33,9 +33,9 @@ import tellosimulator.report.ReportTexts;
 import tellosimulator.translation.PhraseCatalog;
 
 /**
- * Gives simulated drones to JUnit tests; {@link TelloTest} registers it. With {@code
- * RegisterExtension} it is told what to simulate by its builder: as a static field for one
- * simulator a class, otherwise for one each test. Called by JUnit.
+ * Provides simulated drones to JUnit tests. The {@link TelloTest} annotation registers this
+ * extension. Alternatively, a builder configures it for a field with {@code RegisterExtension}: a
+ * static field provides one simulator per class, an instance field one per test. Called by JUnit.
  */
 public final class TelloSimulatorExtension
     implements BeforeAllCallback,
@@ -46,13 +46,13 @@ public final class TelloSimulatorExtension
         TestExecutionExceptionHandler,
         ParameterResolver {
 
-  /** Name of the file that is published for a test that failed. */
+  /** Name of the file that is published when a test fails. */
   private static final String PUBLISHED = "tello-flight.txt";
 
-  /** Name of the folder with its recordings. */
+  /** Name of the folder of recordings that is published when a test fails. */
   private static final String RECORDINGS = "tello-recordings";
 
-  /** Name of the pages that show its flights, without number and ending. */
+  /** Base name of the published flight reports, without the number and the extension. */
   private static final String REPORT = "tello-flight";
 
   private static final MediaType HTML = MediaType.create("text", "html", StandardCharsets.UTF_8);
@@ -60,7 +60,7 @@ public final class TelloSimulatorExtension
   private final Optional<Builder> configured;
   private final Namespace namespace;
 
-  /** What is simulated, and what becomes of crashes. */
+  /** The settings of the simulator, and whether a crash fails the test. */
   public static final class Builder extends SimulatorSettings<Builder> {
 
     private OnCrash onCrash = OnCrash.FAIL;
@@ -72,27 +72,30 @@ public final class TelloSimulatorExtension
       return this;
     }
 
-    /** What becomes of a test whose drone crashed, or missed its goals; without this it fails. */
+    /**
+     * Sets whether a test fails if it passes its own assertions, but a drone crashed or the goals
+     * were missed. By default, the test fails.
+     */
     public Builder onCrash(OnCrash what) {
       onCrash = what;
       return this;
     }
 
-    /** The extension, for a field that is annotated with {@code RegisterExtension}. */
+    /** Returns the extension, for a field annotated with {@code RegisterExtension}. */
     public TelloSimulatorExtension build() {
       return new TelloSimulatorExtension(Optional.of(this));
     }
   }
 
   /**
-   * A simulator while it is used by tests.
+   * A simulator in use by tests.
    *
-   * @param owner the context whose end is its end
-   * @param turn which the test has that runs now
+   * @param owner the id of the context at whose end the simulator is closed
+   * @param turn the permit that a test holds while it runs, so that tests run one after another
    */
   private record Running(TelloSimulator simulator, OnCrash onCrash, String owner, Semaphore turn) {}
 
-  /** For {@link TelloTest}. */
+  /** Creates an extension for {@link TelloTest}. Called by JUnit. */
   public TelloSimulatorExtension() {
     this(Optional.empty());
   }
@@ -105,7 +108,7 @@ public final class TelloSimulatorExtension
             : Namespace.create(TelloSimulatorExtension.class);
   }
 
-  /** What can be said before the start. */
+  /** Returns a builder with default settings. */
   public static Builder builder() {
     return new Builder();
   }
@@ -267,15 +270,16 @@ public final class TelloSimulatorExtension
       throw explained(context, running.get().simulator, error);
     }
     failure.addSuppressed(
-        new FlightFailure("what happened until then", explained(context, running.get().simulator)));
+        new TelloSimulator.FlightFailure(
+            "what happened until then", explained(context, running.get().simulator)));
     throw failure;
   }
 
   private static AssertionError explained(
       ExtensionContext context, TelloSimulator simulator, AssertionError error) {
     String explanation = explained(context, simulator);
-    if (error instanceof FlightFailure) {
-      return error; // says it already
+    if (error instanceof TelloSimulator.FlightFailure) {
+      return error; // already contains the explanation
     }
     String message = error.getMessage() + System.lineSeparator() + explanation;
     AssertionFailedError all =
@@ -286,7 +290,10 @@ public final class TelloSimulatorExtension
     return all;
   }
 
-  /** What happened, which is also published as a file, with recordings and reports beside it. */
+  /**
+   * Returns an explanation of what happened, and publishes it as a file, together with recordings
+   * and reports.
+   */
   private static String explained(ExtensionContext context, TelloSimulator simulator) {
     String explanation = simulator.explanation();
     String text = context.getDisplayName() + System.lineSeparator() + explanation;
@@ -299,12 +306,15 @@ public final class TelloSimulatorExtension
         publishFlights(context, simulator.recorder());
       }
       return explanation;
-    } catch (JUnitException e) { // the reason of the failure must not be lost for it
+    } catch (JUnitException e) { // must not hide the cause of the failure
       return explanation + System.lineSeparator() + e.getMessage();
     }
   }
 
-  /** The recordings of all flights of a test, and a page of each in the language of the system. */
+  /**
+   * Publishes the recordings of all flights of a test, with a report of each flight in the system's
+   * language.
+   */
   private static void publishFlights(ExtensionContext context, FlightRecorder recorder) {
     List<Path> recordings = new ArrayList<>();
     context.publishDirectory(

@@ -10,15 +10,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 
 /**
- * A test, or a class of tests, with simulated drones. Tests and their lifecycle methods may have
- * parameters of type {@link SimulatedDrone}, {@link TelloSimulation} and {@link TelloSimulator}.
+ * Marks a test, or a class of tests, that uses simulated drones. Tests and their lifecycle methods
+ * may have parameters of type {@link SimulatedDrone}, {@link TelloSimulation} and {@link
+ * TelloSimulator}.
  *
- * <p>A class has one simulator, which begins anew before each test; tests of the class run one
- * after another, however JUnit is told to run them. On a method it makes a test of it, with a
- * simulator of its own and nothing of what the class says.
+ * <p>A class has one simulator, which is reset before each test. Tests of the class run one after
+ * another, even if JUnit is configured to run tests in parallel. On a method, this annotation
+ * declares a test with its own simulator, and completely replaces the settings of the class.
  *
- * <p>A test fails, too, when a drone crashed or the scenario's goals were missed after a takeoff,
- * unless {@link #onCrash} says otherwise.
+ * <p>A test also fails if a drone crashed, or if a drone took off and the scenario's goals were
+ * missed, unless {@link #onCrash} allows this.
  */
 @Documented
 @Inherited
@@ -28,36 +29,42 @@ import org.junit.jupiter.api.extension.ExtendWith;
 @ExtendWith(TelloSimulatorExtension.class)
 public @interface TelloTest {
 
-  /** A file, or one of the scenarios that come with the program; empty for an empty room. */
+  /** The scenario: a file, or one of those that come with the program; empty for an empty room. */
   String scenario() default "";
 
-  /** How many drones, where no scenario says it; 0 for one. */
+  /** The number of drones, allowed only without a scenario; 0 for the default, one drone. */
   int drones() default 0;
 
-  /** {@code edu}, {@code tello} or {@code tt}; empty for what the scenario says. */
+  /** The product: {@code edu}, {@code tello} or {@code tt}; empty for that of the scenario. */
   String profile() default "";
 
-  /** {@code report} or {@code measured}; empty for what the scenario says. */
+  /** The reference model: {@code report} or {@code measured}; empty for that of the scenario. */
   String behavior() default "";
 
-  /** Simulated seconds in a second of the wall clock, or {@code max}. */
+  /** The number of simulated seconds per second of wall clock time, or {@code max}. */
   String timeFactor() default "max";
 
-  /** Of everything random; 0 for what the scenario says. */
+  /** The seed of all randomness; 0 for the seed of the scenario. */
   long seed() default 0;
 
-  /** {@code ideal}, {@code lab}, {@code classroom} or {@code crowded}; empty for the usual one. */
+  /**
+   * The link quality: {@code ideal}, {@code lab}, {@code classroom} or {@code crowded}; empty for
+   * the default.
+   */
   String link() default "";
 
-  /** What goes wrong, such as {@code "loss state 20% at 5s for 10s"}. */
+  /** The faults, such as {@code "loss state 20% at 5s for 10s"}. */
   String[] faults() default {};
 
-  /** Whether drones film after {@code streamon}. */
+  /** Whether drones send video after {@code streamon}. */
   boolean video() default true;
 
-  /** Which ports are used. */
+  /** The ports to use. */
   PortChoice ports() default PortChoice.FREE;
 
-  /** What becomes of a test whose drone crashed, or missed its goals, though it asserts nothing. */
+  /**
+   * Whether a test fails if it passes its own assertions, but a drone crashed or the goals were
+   * missed.
+   */
   OnCrash onCrash() default OnCrash.FAIL;
 }

@@ -1,10 +1,10 @@
 package tellosimulator.junit;
 
 /**
- * How often something is expected in a {@link Journal}. Immutable.
+ * How often a command is expected in a {@link Journal}. Immutable.
  *
- * @param least at least
- * @param most at the most
+ * @param least the minimum number of occurrences
+ * @param most the maximum number of occurrences
  */
 public record Times(int least, int most) {
 
@@ -15,17 +15,17 @@ public record Times(int least, int most) {
     }
   }
 
-  /** Exactly so often. */
+  /** Expects exactly a given number of occurrences. */
   public static Times times(int count) {
     return new Times(count, count);
   }
 
-  /** So often, or more. */
+  /** Expects at least a given number of occurrences. */
   public static Times atLeast(int count) {
     return new Times(count, Integer.MAX_VALUE);
   }
 
-  /** So often, or less. */
+  /** Expects at most a given number of occurrences. */
   public static Times atMost(int count) {
     return new Times(0, count);
   }

@@ -9,13 +9,13 @@ import java.time.format.DateTimeFormatter;
 import tellosimulator.words.Printable;
 
 /**
- * Formats a line of the log: local time, level, message, and of an exception its class, its message
- * and where it was thrown. For the thread that writes the log. Logback's {@code PatternLayout}
- * would load a hundred classes at each start.
+ * Formats a line of the log: local time, level and message. For an exception, it adds the class,
+ * the message and the place where it was thrown. Confined to the thread that writes the log.
+ * Logback's {@code PatternLayout} is not used, since it would load a hundred classes at each start.
  */
 final class LogLayout extends LayoutBase<ILoggingEvent> {
 
-  /** As wide as the longest level, ERROR. */
+  /** Length of the name of the level ERROR, the longest name of a level [characters]. */
   private static final int LEVEL_WIDTH = 5;
 
   private static final DateTimeFormatter TIME =
@@ -37,7 +37,10 @@ final class LogLayout extends LayoutBase<ILoggingEvent> {
     return line.toString();
   }
 
-  /** Lines after the first one are indented, so that no text from outside looks like a message. */
+  /**
+   * Indents all lines but the first, so that text from untrusted sources cannot look like a log
+   * message.
+   */
   private static String printable(String text) {
     return Printable.of(text).replace("\n", System.lineSeparator() + "\t");
   }

@@ -18,14 +18,16 @@ import org.slf4j.LoggerFactory;
 import tellosimulator.concurrent.StandardError;
 
 /**
- * Sets up the log: to standard error, through a queue, so that a slow console never makes the
- * simulation wait. Found by Logback as a service; without XML, which takes a tenth of a second.
- * What JavaFX logs arrives here too, because the class path holds SLF4J's service for the JDK's own
- * log.
+ * Configures the log. The log is written to standard error through a queue, so that a slow console
+ * never blocks the simulation. Logback finds this class as a service; compared with an XML file,
+ * this saves a tenth of a second at each start. Messages of JavaFX are logged as well, because
+ * SLF4J's implementation of {@code System.Logger} is on the class path.
  */
 public final class LogSetup extends ContextAwareBase implements Configurator {
 
-  /** Lines that may wait for the console; what comes on top is lost. */
+  /**
+   * Maximum number of lines waiting for the console; when the queue is full, new lines are dropped.
+   */
   private static final int QUEUE = 8192;
 
   @Override
@@ -59,18 +61,26 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
     return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
   }
 
-  /** Lets lines of this level and above pass. */
+  /**
+   * Sets the lowest level to be logged.
+   *
+   * @param level the name of the level, such as {@code debug}
+   */
   public static void setLevel(String level) {
     LoggerContext context = (LoggerContext) LoggerFactory.getILoggerFactory();
     context.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME).setLevel(Level.toLevel(level));
   }
 
-  /** Writes what is still waiting. */
+  /** Writes all queued lines and stops the log. Nothing is logged afterwards. */
   public static void flush() {
     ((LoggerContext) LoggerFactory.getILoggerFactory()).stop();
   }
 
-  /** Loses a line rather than its thread, and with it all further lines, when memory is full. */
+  /**
+   * Writes to the console. If memory is exhausted, this class drops the line and reports the loss.
+   * Without this class, the error would end the writer thread, and all subsequent lines would be
+   * lost.
+   */
   private static final class Console extends OutputStreamAppender<ILoggingEvent> {
 
     private final StandardError standardError = new StandardError();
@@ -89,8 +99,9 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
   }
 
   /**
-   * Keeps back what libraries say that is of use to nobody here: their chatter below warnings, and
-   * what JavaFX says at each start from a class path, which is how one jar starts it.
+   * Suppresses library messages that are irrelevant here: those below the warning level, and a
+   * warning that JavaFX logs at each start from a class path. A single jar always starts JavaFX
+   * from the class path.
    */
   private static final class Chatter extends Filter<ILoggingEvent> {
     @Override
@@ -103,7 +114,9 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
     }
   }
 
-  /** Standard error as it is now, whatever the program does to it later; never closed. */
+  /**
+   * The original standard error, even if the program redirects standard error later. Never closed.
+   */
   private static final class Terminal extends FilterOutputStream {
     Terminal() {
       super(System.err);

@@ -8,8 +8,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Redirects standard error to the log, level debug: JavaFX prints pages of stack traces there about
- * what a machine lacks, and the JDK warnings about JavaFX. Any thread may write.
+ * Redirects standard error to the log at level debug. Without it, JavaFX would fill standard error
+ * with stack traces about features that the machine lacks, and the JDK would print warnings about
+ * JavaFX. Thread-safe.
  */
 public final class StandardErrorLog extends OutputStream {
 
@@ -19,7 +20,10 @@ public final class StandardErrorLog extends OutputStream {
 
   private StandardErrorLog() {}
 
-  /** Redirects it from now on. The log must have been set up: it keeps the real standard error. */
+  /**
+   * Starts the redirection. The log must already have been set up, so that it uses the original
+   * standard error.
+   */
   public static void install() {
     System.setErr(new PrintStream(new StandardErrorLog(), true, StandardCharsets.UTF_8));
   }

@@ -1,9 +1,9 @@
 /**
  * The log on standard error.
  *
- * <p>{@link tellosimulator.log.LogSetup} configures Logback: a queue, {@code LogLayout} for the
- * lines, and a thread of Logback's that writes. {@link tellosimulator.log.StandardErrorLog}
- * redirects what libraries print. Only this package knows Logback; everything else logs through
- * SLF4J. What is logged is not its job: see {@code EventLog} of {@code headless}.
+ * <p>{@link tellosimulator.log.LogSetup} configures Logback: it uses a queue, {@code LogLayout} for
+ * the lines, and Logback's own writer thread. {@link tellosimulator.log.StandardErrorLog} redirects
+ * the output of libraries. Only this package depends on Logback; all other code logs through SLF4J.
+ * Deciding what to log is not its job; see {@code HeadlessSimulator}.
  */
 package tellosimulator.log;

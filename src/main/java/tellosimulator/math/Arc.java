@@ -3,22 +3,25 @@ package tellosimulator.math;
 import java.util.Optional;
 
 /**
- * The part of a circle that starts at the origin, passes a point and ends at another one.
+ * A circular arc that starts at the origin, passes through one point and ends at another.
  *
- * @param center centre of the circle
- * @param radius its radius
- * @param outward unit vector from the centre to the origin
- * @param along unit vector of the direction in which it leaves the origin
- * @param angle what it sweeps [rad], below a full turn
+ * @param center the centre of the circle, in the frame and the unit of the points
+ * @param radius the radius of the circle
+ * @param outward the unit vector from the centre to the origin
+ * @param along the unit tangent at the origin, in the direction in which the arc leaves it
+ * @param angle the central angle of the arc [rad], less than a full turn
  */
 public record Arc(Vec3 center, double radius, Vec3 outward, Vec3 along, double angle) {
 
-  /** Cross products below this share of the lengths count as points on one line. */
+  /**
+   * Threshold for collinear points. Two points are on one line with the origin if the length of
+   * their cross product is at most this fraction of the product of their distances from the origin.
+   */
   private static final double COLLINEAR = 1e-9;
 
   /**
-   * The arc from the origin through {@code via} to {@code end}; empty if the three points lie on
-   * one line, so that no circle passes through them.
+   * Returns the arc from the origin through {@code via} to {@code end}; empty if the three points
+   * lie on one line, so that no circle passes through them.
    */
   public static Optional<Arc> through(Vec3 via, Vec3 end) {
     Vec3 normal = via.cross(end);
@@ -45,19 +48,21 @@ public record Arc(Vec3 center, double radius, Vec3 outward, Vec3 along, double a
     return radius * angle;
   }
 
-  /** The point after sweeping {@code swept} [rad]. */
+  /** Returns the point at the central angle {@code swept} [rad] from the origin. */
   public Vec3 point(double swept) {
     return center
         .plusScaled(outward, radius * StrictMath.cos(swept))
         .plusScaled(along, radius * StrictMath.sin(swept));
   }
 
-  /** The unit vector of motion after sweeping {@code swept} [rad]. */
+  /**
+   * Returns the unit vector of the direction of motion at the central angle {@code swept} [rad].
+   */
   public Vec3 direction(double swept) {
     return along.times(StrictMath.cos(swept)).plusScaled(outward, -StrictMath.sin(swept));
   }
 
-  /** The unit vector from the point after {@code swept} [rad] to the centre. */
+  /** Returns the unit vector from the point at {@code swept} [rad] to the centre. */
   public Vec3 inward(double swept) {
     return outward.times(-StrictMath.cos(swept)).plusScaled(along, -StrictMath.sin(swept));
   }

@@ -1,37 +1,38 @@
 package tellosimulator.math;
 
 /**
- * An orientation as a unit quaternion that turns vectors of the body frame (x along the nose, y to
- * the left, z up) into the room frame.
+ * An orientation as a unit quaternion that rotates vectors of the body frame (x along the nose, y
+ * to the left, z up) into the room frame.
  *
- * <p>Only additions, multiplications, divisions and square roots are used on the way of a step, so
- * that a flight is the same to the last bit on every machine.
+ * <p>All methods use only basic arithmetic, square roots and {@code StrictMath}, so that a flight
+ * is bit-identical on every machine.
  */
 public record Attitude(double w, double x, double y, double z) {
 
-  /** Level, nose along the x axis of the room. */
+  /** The level attitude, with the nose along the room's x axis. */
   public static final Attitude LEVEL = new Attitude(1, 0, 0, 0);
 
   /**
-   * Level, with the given heading.
+   * Returns a level orientation with the given heading.
    *
-   * @param heading radians, counter-clockwise seen from above, 0 along x
+   * @param heading the heading [rad], counter-clockwise seen from above, 0 along x
    */
   public static Attitude ofHeading(double heading) {
     return new Attitude(StrictMath.cos(heading / 2), 0, 0, StrictMath.sin(heading / 2));
   }
 
   /**
-   * The shortest turn that brings the vertical axis to {@code up}.
+   * Returns the smallest rotation that brings the vertical axis to {@code up}.
    *
-   * @param up unit vector of the room frame; straight down gives a half turn about x
+   * @param up a unit vector in the room frame. If it points straight down, the rotation is a half
+   *     turn about x
    */
   public static Attitude tiltedTo(Vec3 up) {
     double w = 1 + up.z();
     return w < 1e-9 ? new Attitude(0, 1, 0, 0) : new Attitude(w, -up.y(), up.x(), 0).normalized();
   }
 
-  /** This orientation applied after {@code first}. */
+  /** Returns the orientation that results from applying this orientation after {@code first}. */
   public Attitude after(Attitude first) {
     return new Attitude(
         w * first.w - x * first.x - y * first.y - z * first.z,
@@ -44,7 +45,7 @@ public record Attitude(double w, double x, double y, double z) {
     return new Attitude(w, -x, -y, -z);
   }
 
-  /** A vector of the body frame, seen in the room frame. */
+  /** Transforms a vector from the body frame to the room frame. */
   public Vec3 toRoom(Vec3 body) {
     double tx = 2 * (y * body.z() - z * body.y());
     double ty = 2 * (z * body.x() - x * body.z());
@@ -55,19 +56,20 @@ public record Attitude(double w, double x, double y, double z) {
         body.z() + w * tz + x * ty - y * tx);
   }
 
-  /** A vector of the room frame, seen in the body frame. */
+  /** Transforms a vector from the room frame to the body frame. */
   public Vec3 toBody(Vec3 room) {
     return inverse().toRoom(room);
   }
 
-  /** The body's z axis in the room frame: the direction of the thrust. */
+  /** Returns the body's z axis in the room frame: the direction of the thrust. */
   public Vec3 up() {
     return new Vec3(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));
   }
 
   /**
-   * The turn that is missing to {@code target}, as axis times angle in the body frame, exact for
-   * small angles and never longer than 2 rad.
+   * Returns the rotation from this orientation to {@code target}, as a rotation vector (axis times
+   * angle) in the body frame [rad]. Twice the sine of half the angle approximates the angle, so the
+   * length of the vector never exceeds 2.
    */
   public Vec3 errorTo(Attitude target) {
     Attitude turn = inverse().after(target);
@@ -76,10 +78,11 @@ public record Attitude(double w, double x, double y, double z) {
   }
 
   /**
-   * This orientation after turning for a short time.
+   * Returns this orientation after a short rotation.
    *
-   * @param rate angular velocity in the body frame [rad/s]
-   * @param seconds at most some hundredths of a turn long
+   * @param rate the angular velocity in the body frame [rad/s]
+   * @param seconds the duration [s]; short enough that the rotation is at most a few hundredths of
+   *     a turn, because sine and cosine are approximated
    */
   public Attitude advancedBy(Vec3 rate, double seconds) {
     Vec3 half = rate.times(seconds / 2);
@@ -91,9 +94,10 @@ public record Attitude(double w, double x, double y, double z) {
   }
 
   /**
-   * An orientation on the shortest way to another (normalised linear interpolation).
+   * Interpolates along the shortest rotation to another orientation (normalised linear
+   * interpolation).
    *
-   * @param part of the way, 0 to 1
+   * @param part the fraction of the rotation: 0 for this orientation, 1 for the other
    */
   public Attitude towards(Attitude other, double part) {
     double cosine = w * other.w + x * other.x + y * other.y + z * other.z;
@@ -112,18 +116,18 @@ public record Attitude(double w, double x, double y, double z) {
     return new Attitude(w * factor, x * factor, y * factor, z * factor);
   }
 
-  /** Heading [rad]: counter-clockwise seen from above, 0 along x, within ±π. */
+  /** Returns the heading [rad]: counter-clockwise seen from above, 0 along x, within ±π. */
   public double heading() {
     return StrictMath.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
   }
 
-  /** Elevation of the nose [rad]: nose up is positive, within ±π/2. */
+  /** Returns the elevation of the nose [rad]: nose up is positive, within ±π/2. */
   public double elevation() {
     double sine = 2 * (x * z - w * y);
     return StrictMath.asin(Math.max(-1, Math.min(1, sine)));
   }
 
-  /** Bank [rad]: right side down is positive, within ±π. */
+  /** Returns the bank [rad]: right side down is positive, within ±π. */
   public double bank() {
     return StrictMath.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y));
   }

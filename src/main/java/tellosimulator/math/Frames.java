@@ -1,12 +1,13 @@
 package tellosimulator.math;
 
 /**
- * Every conversion between the core's axes and units and those of the wire and of the screen.
+ * Converts between the axes and units of the core, the wire and the screen.
  *
- * <p>The core uses SI, x along the heading (or the room's depth), y to the left, z up, and turns
- * counter-clockwise seen from above. The wire uses centimetres and degrees; its yaw and turns are
- * clockwise, and its velocities and accelerations have y to the right and z down. The screen
- * (JavaFX) has x to the right, y down and z into it; who looks at it looks along the core's x.
+ * <p>The core uses SI units, with x along the heading (or the room's depth), y to the left and z
+ * up; turns are counter-clockwise seen from above. The wire, which is the drone's network protocol,
+ * uses centimetres and degrees; its yaw and turns are clockwise, and its velocities and
+ * accelerations have y to the right and z down. The screen (JavaFX) has x to the right, y down and
+ * z into the screen. The viewer of the screen looks along the core's x axis.
  */
 public final class Frames {
 
@@ -20,32 +21,40 @@ public final class Frames {
     return meters * 100;
   }
 
-  /** Radians counter-clockwise from degrees clockwise. */
+  /** Converts degrees clockwise to radians counter-clockwise. */
   public static double headingOfYaw(double yawDeg) {
     return -StrictMath.toRadians(yawDeg);
   }
 
-  /** Degrees clockwise from radians counter-clockwise. */
+  /** Converts radians counter-clockwise to degrees clockwise. */
   public static double yawOfHeading(double heading) {
     return -StrictMath.toDegrees(heading);
   }
 
-  /** From x forward, y left, z up to x forward, y right, z down, and back. */
+  /**
+   * Converts from the axes x forward, y left, z up to the axes x forward, y right, z down. The
+   * conversion is its own inverse.
+   */
   public static Vec3 flipped(Vec3 vector) {
     return new Vec3(vector.x(), -vector.y(), -vector.z());
   }
 
-  /** From x forward, y left, z up to the screen's x right, y down, z into it. */
+  /**
+   * Converts from x forward, y left, z up to the screen's axes: x right, y down, z into the screen.
+   */
   public static Vec3 toScreen(Vec3 vector) {
     return new Vec3(-vector.y(), -vector.z(), vector.x());
   }
 
-  /** From the screen's x right, y down, z into it to x forward, y left, z up. */
+  /**
+   * Converts from the screen's axes (x right, y down, z into the screen) to x forward, y left, z
+   * up.
+   */
   public static Vec3 fromScreen(Vec3 vector) {
     return new Vec3(vector.z(), -vector.x(), -vector.y());
   }
 
-  /** The same angle within ±π [rad]. */
+  /** Returns the equivalent angle within ±π [rad]. */
   public static double wrapped(double angle) {
     return StrictMath.IEEEremainder(angle, 2 * Math.PI);
   }

@@ -1,8 +1,8 @@
 package tellosimulator.math;
 
 /**
- * Where something is and how it is turned, in the room frame.
+ * A position and an attitude in the room frame.
  *
- * @param position metres
+ * @param position the position [m]
  */
 public record Pose(Vec3 position, Attitude attitude) {}

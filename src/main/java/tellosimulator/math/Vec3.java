@@ -1,13 +1,13 @@
 package tellosimulator.math;
 
 /**
- * An immutable vector of three components; the frame and the unit are those of whoever holds it.
+ * An immutable vector of three components. The code that uses a vector defines its frame and unit.
  */
 public record Vec3(double x, double y, double z) {
 
   public static final Vec3 ZERO = new Vec3(0, 0, 0);
 
-  /** The unit vector upwards, in the room frame as in the body frame. */
+  /** The upward unit vector. It is the same in the room frame and in the body frame. */
   public static final Vec3 UP = new Vec3(0, 0, 1);
 
   public Vec3 plus(Vec3 other) {
@@ -22,7 +22,7 @@ public record Vec3(double x, double y, double z) {
     return new Vec3(x * factor, y * factor, z * factor);
   }
 
-  /** This vector plus {@code other} times {@code factor}. */
+  /** Returns this vector plus {@code other} times {@code factor}. */
   public Vec3 plusScaled(Vec3 other, double factor) {
     return new Vec3(x + other.x * factor, y + other.y * factor, z + other.z * factor);
   }
@@ -40,18 +40,18 @@ public record Vec3(double x, double y, double z) {
     return Math.sqrt(dot(this));
   }
 
-  /** The distance from this point to {@code other}. */
+  /** Returns the distance from this point to {@code other}. */
   public double distanceTo(Vec3 other) {
     return minus(other).norm();
   }
 
-  /** The unit vector of the same direction; zero stays zero. */
+  /** Returns the unit vector of the same direction, or the zero vector for the zero vector. */
   public Vec3 normalized() {
     double norm = norm();
     return norm == 0 ? ZERO : times(1 / norm);
   }
 
-  /** The part of this vector that lies in the x-y plane. */
+  /** Returns the component in the x-y plane. */
   public Vec3 horizontal() {
     return new Vec3(x, y, 0);
   }
@@ -60,16 +60,16 @@ public record Vec3(double x, double y, double z) {
     return new Vec3(x, y, newZ);
   }
 
-  /** This vector, shortened to the length {@code limit} if it is longer. */
+  /** Returns this vector, shortened to the length {@code limit} if it is longer. */
   public Vec3 limitedTo(double limit) {
     double squared = dot(this);
     return squared <= limit * limit ? this : times(limit / Math.sqrt(squared));
   }
 
   /**
-   * This vector turned about the vertical axis.
+   * Returns this vector rotated about the vertical axis.
    *
-   * @param angle radians, counter-clockwise seen from above
+   * @param angle the angle [rad], counter-clockwise seen from above
    */
   public Vec3 turned(double angle) {
     double cos = StrictMath.cos(angle);

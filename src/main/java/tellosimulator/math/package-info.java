@@ -1,10 +1,10 @@
 /**
  * Vectors, orientations and the conversions between axes.
  *
- * <p>{@link tellosimulator.math.Vec3} and {@link tellosimulator.math.Attitude} are immutable values
- * for any thread. {@link tellosimulator.math.Frames} is the only place where axes of the core, of
- * the wire and later of pads and of the window are converted. The package imports nothing of the
- * project; physics is not its job. Transcendental functions come from {@code StrictMath}, because
- * results reach traces that must be equal on every machine.
+ * <p>{@link tellosimulator.math.Vec3} and {@link tellosimulator.math.Attitude} are immutable
+ * values. Only {@link tellosimulator.math.Frames} converts between the axes of the core, the wire
+ * and the screen. The package imports no other package of the project. Transcendental functions
+ * come from {@code StrictMath}, so that the same flight is identical on every machine. Physics is
+ * not its job.
  */
 package tellosimulator.math;

@@ -1,19 +1,19 @@
 package tellosimulator.model;
 
 /**
- * A battery's charge. Immutable.
+ * The charge of a battery. Immutable.
  *
- * @param level 0 for empty to 1 for full
+ * @param level the charge, from 0 for empty to 1 for full
  */
 public record Battery(double level) {
 
-  /** A flip needs at least this much [%]. Measured: DJITelloPy issue 224. */
+  /** Minimum charge for a flip [%]. Measured: DJITelloPy issue 224. */
   public static final int LEAST_FOR_FLIP = 50;
 
-  /** A takeoff needs more than this [%]. Assumed. */
+  /** Charge above which a drone can take off [%]. Assumed. */
   public static final int TOO_LOW_FOR_TAKEOFF = 10;
 
-  /** In flight it lands by itself at this, and below [%]. Assumed. */
+  /** Charge at or below which a drone in flight lands automatically [%]. Assumed. */
   public static final int LANDS_BY_ITSELF = 5;
 
   public static final Battery FULL = new Battery(1);
@@ -24,7 +24,7 @@ public record Battery(double level) {
     }
   }
 
-  /** What the drone reports: started percents count as whole ones. */
+  /** Returns the charge as the drone reports it, rounded up [%]. */
   public int percent() {
     return (int) Math.ceil(level * 100 - 1e-9);
   }
@@ -33,7 +33,12 @@ public record Battery(double level) {
     return level == 0;
   }
 
-  /** The charge after some time. */
+  /**
+   * Returns the battery after some time.
+   *
+   * @param seconds the time
+   * @param endurance the time that a full battery lasts [s]
+   */
   Battery after(double seconds, double endurance) {
     return new Battery(Math.max(0, level - seconds / endurance));
   }

@@ -1,7 +1,7 @@
 package tellosimulator.model;
 
 import java.util.List;
-import tellosimulator.board.BoardLights;
+import tellosimulator.extension.BoardLights;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -11,9 +11,8 @@ import tellosimulator.time.SimTime;
 import tellosimulator.world.Room;
 
 /**
- * The single source of truth about a drone. Written only on the simulation thread, by the
- * controller and by what it calls; everybody else reads a {@link DroneState} that was copied from
- * it.
+ * The single source of truth about a drone. Only the controller and its collaborators write to it,
+ * on the simulation thread. All other code reads a {@link DroneState}, which is a copy.
  */
 public final class DroneModel {
 
@@ -32,8 +31,10 @@ public final class DroneModel {
   private BoardLights lights = BoardLights.DARK;
 
   /**
-   * @param drone its number, from 1
-   * @param start where it stands, on the floor
+   * Creates a drone that is switched off.
+   *
+   * @param drone the number of the drone, from 1
+   * @param start the drone's pose on the floor
    */
   public DroneModel(int drone, Pose start) {
     this.drone = drone;
@@ -43,13 +44,13 @@ public final class DroneModel {
         new Reference(SimTime.ZERO, start.attitude().heading(), 0, start.position().z());
   }
 
-  /** An immutable copy of the present state. */
+  /** Returns an immutable copy of the current state. */
   public DroneState snapshot(SimTime now) {
     Energy energy = new Energy(battery, temperature, motorTime);
     return new DroneState(drone, now, motion, phase, energy, reference, perception, video, lights);
   }
 
-  /** Power comes: SDK-independent state is as new, but for the battery and where it lies. */
+  /** Switches the drone on. Initializes all state except the battery, the start and the motion. */
   public void powerOn(SimTime now) {
     phase = resting ? FlightPhase.GROUNDED : FlightPhase.FALLING;
     temperature = Temperature.COLD;
@@ -66,7 +67,9 @@ public final class DroneModel {
     lights = lights.poweredOff();
   }
 
-  /** Back to the start, at rest; instruments count from there. */
+  /**
+   * Puts the drone back at its start, at rest. The instruments then measure relative to the start.
+   */
   public void reset() {
     motion = Motion.restingAt(start);
     resting = true;
@@ -82,7 +85,7 @@ public final class DroneModel {
     }
   }
 
-  /** The room changed: start and drone move inside. */
+  /** Moves the start and the drone into a changed room if they would otherwise be outside it. */
   public void moveInto(Room room) {
     start = new Pose(room.nearestInside(start.position(), DroneSpec.COLLIDER), start.attitude());
     Vec3 inside = room.nearestInside(motion.position(), DroneSpec.COLLIDER);
@@ -91,7 +94,12 @@ public final class DroneModel {
     }
   }
 
-  /** Lets time work on battery, temperature and motor time. */
+  /**
+   * Updates battery, temperature and motor time after a step.
+   *
+   * @param seconds the length of the step
+   * @param filmingEndurance the time that a full battery lasts in flight while video is sent [s]
+   */
   public void consume(double seconds, double filmingEndurance) {
     if (phase == FlightPhase.OFF) {
       return;
@@ -105,7 +113,7 @@ public final class DroneModel {
     }
   }
 
-  /** The gyro drifts: heading counts from elsewhere [rad]. */
+  /** Turns the reference of the heading by an angle [rad], as if the gyro had drifted. */
   public void turnReference(double angle) {
     reference =
         new Reference(
@@ -115,12 +123,12 @@ public final class DroneModel {
             reference.height());
   }
 
-  /** It is at least so hot [°C]. */
+  /** Raises the temperature to at least the given value [°C]. */
   public void heat(double celsius) {
     temperature = Math.max(temperature, celsius);
   }
 
-  /** A takeoff begins: height counts anew. */
+  /** Counts a takeoff, and sets the height reference. */
   public void countTakeoff() {
     reference =
         new Reference(
@@ -130,7 +138,7 @@ public final class DroneModel {
             motion.position().z());
   }
 
-  /** Comes to rest where it is: level if it is upright, on its back otherwise. */
+  /** Brings the drone to rest in place: level if it is upright, otherwise on its back. */
   public void rest() {
     boolean upright = motion.attitude().up().z() > 0;
     Attitude heading = Attitude.ofHeading(motion.attitude().heading());
@@ -144,7 +152,7 @@ public final class DroneModel {
     resting = false;
   }
 
-  /** Tells whether wind pushes it, as far as the drone itself feels that. */
+  /** Sets whether the drone's own sensors detect that wind pushes it. */
   public void setPushed(boolean newPushed) {
     pushed = newPushed;
   }
@@ -161,7 +169,7 @@ public final class DroneModel {
     start = newStart;
   }
 
-  /** Looks for mission pads elsewhere; none is seen yet. */
+  /** Sets the directions in which to detect mission pads, and clears the detected pads. */
   public void look(PadMode newPads) {
     perception = new Perception(newPads, false, List.of());
   }
@@ -194,17 +202,17 @@ public final class DroneModel {
     return phase;
   }
 
-  /** Whether it lies or stands still without motors. */
+  /** Whether the drone lies or stands still with its motors off. */
   public boolean resting() {
     return resting;
   }
 
-  /** Whether wind pushes it, as far as the drone itself feels that. */
+  /** Whether the drone's own sensors detect that wind pushes it. */
   public boolean pushed() {
     return pushed;
   }
 
-  /** Whether its feet are below it. */
+  /** Whether the drone's feet point down. */
   public boolean upright() {
     return motion.attitude().up().z() > 0;
   }
@@ -221,8 +229,35 @@ public final class DroneModel {
     return video;
   }
 
-  /** Those of the extension board, dark if it has none. */
+  /** Returns the lights of the extension board. They are dark if the drone has no board. */
   public BoardLights lights() {
     return lights;
+  }
+
+  /**
+   * A model of the drone's temperature. The drone warms up while its motors are off, and its
+   * propellers cool it.
+   *
+   * <p>Measured (xg590/Tello-Python, pgminin/tello-vision-telemetry-lab): 43 °C at power-on, and 80
+   * to 90 °C after minutes on the ground. After takeoff, the temperature falls by about 11 K in 20
+   * s, and then stays at 62 to 77 °C.
+   */
+  private static final class Temperature {
+
+    /** Temperature at power-on [°C]. */
+    static final double COLD = 43;
+
+    private static final double IDLE_LIMIT = 88;
+    private static final double IDLE_TIME_CONSTANT = 120;
+    private static final double FLYING_LIMIT = 68;
+    private static final double FLYING_TIME_CONSTANT = 36;
+
+    private Temperature() {}
+
+    static double after(double celsius, boolean motorsOn, double seconds) {
+      double limit = motorsOn ? FLYING_LIMIT : IDLE_LIMIT;
+      double timeConstant = motorsOn ? FLYING_TIME_CONSTANT : IDLE_TIME_CONSTANT;
+      return celsius + (limit - celsius) * seconds / timeConstant;
+    }
   }
 }

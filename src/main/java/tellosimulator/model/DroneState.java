@@ -1,22 +1,22 @@
 package tellosimulator.model;
 
-import tellosimulator.board.BoardLights;
+import tellosimulator.extension.BoardLights;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
 import tellosimulator.time.SimTime;
 
 /**
- * A drone at a moment. Immutable; for any thread.
+ * The state of a drone at one moment. Immutable.
  *
- * @param drone its number, from 1
- * @param time the end of the step that made it
+ * @param drone the number of the drone, from 1
+ * @param time the end of the step that produced the state
  * @param motion position, velocity and attitude
- * @param phase what it is doing
+ * @param phase the flight phase
  * @param energy battery, temperature, motor time
- * @param reference what its instruments count from
- * @param perception of what is around it
- * @param video what was asked of the video
- * @param lights of the extension board, dark if it has none
+ * @param reference the reference of the drone's instruments
+ * @param perception the drone's perception of mission pads
+ * @param video the settings of the video
+ * @param lights the lights of the extension board; dark if the drone has no board
  */
 public record DroneState(
     int drone,
@@ -29,7 +29,7 @@ public record DroneState(
     VideoSettings video,
     BoardLights lights) {
 
-  /** Without lights. */
+  /** Creates a state without lights. */
   public DroneState(
       int drone,
       SimTime time,
@@ -42,38 +42,39 @@ public record DroneState(
     this(drone, time, motion, phase, energy, reference, perception, video, BoardLights.DARK);
   }
 
-  /** The same drone, moving otherwise. */
+  /** Returns a copy with another motion. */
   public DroneState withMotion(Motion newMotion) {
     return new DroneState(
         drone, time, newMotion, phase, energy, reference, perception, video, lights);
   }
 
-  /** The same drone at another moment. */
+  /** Returns a copy with another time. */
   public DroneState at(SimTime newTime) {
     return new DroneState(
         drone, newTime, motion, phase, energy, reference, perception, video, lights);
   }
 
   /**
-   * What flying uses up.
+   * The energy-related state.
    *
-   * @param temperature of the electronics [°C]
-   * @param motorTime motors on since power-on [s]
+   * @param temperature the temperature of the electronics [°C]
+   * @param motorTime the time with motors on since power-on [s]
    */
   public record Energy(Battery battery, double temperature, double motorTime) {}
 
   /**
-   * What instruments count from.
+   * The reference of the instruments.
    *
-   * @param poweredAt when the power came
-   * @param heading at power-on or reset [rad]; yaw and velocity count from it
-   * @param takeoffs since power-on
-   * @param height of the feet at power-on, at reset or at the last takeoff, the latest of these
-   *     [m]; {@code h} counts from it
+   * @param poweredAt the time of power-on
+   * @param heading the heading at power-on or reset [rad]: the zero of yaw, and the x axis of the
+   *     reported velocity
+   * @param takeoffs the number of takeoffs since power-on
+   * @param height the height of the feet at power-on, reset or takeoff, whichever was last [m]; the
+   *     zero of {@code h}
    */
   public record Reference(SimTime poweredAt, double heading, int takeoffs, double height) {
 
-    /** Where the nose points for the drone itself, counter-clockwise, within ±π [rad]. */
+    /** Returns the heading relative to the reference, counter-clockwise, within ±π [rad]. */
     public double turned(Attitude attitude) {
       return Frames.wrapped(attitude.heading() - heading);
     }

@@ -1,19 +1,25 @@
 package tellosimulator.model;
 
-/** The flight phase of a drone, by what its motors do. For any thread. */
+/** The phase of a flight, as determined by the motors. */
 public enum FlightPhase {
-  /** Without power. */
+  /** The drone has no power. */
   OFF("off", false, false),
-  /** On the floor or on an obstacle, motors off. */
+  /** The drone is on the floor or on an obstacle, with its motors off. */
   GROUNDED("standing", false, false),
-  /** On the floor or on an obstacle, propellers turning slowly ({@code motoron}). */
+  /**
+   * The drone is on the floor or on an obstacle, with its propellers turning slowly ({@code
+   * motoron}).
+   */
   IDLING("standing, motors idling", true, false),
   TAKING_OFF("taking off", true, true),
   FLYING("flying", true, true),
   LANDING("landing", true, true),
-  /** Motors off in the air, after {@code emergency} or with an empty battery. */
+  /**
+   * The motors stopped in the air, for example after {@code emergency} or because the battery is
+   * empty.
+   */
   FALLING("falling", false, false),
-  /** Motors off until reset or power cycle. */
+  /** The drone has crashed. The motors stay off until a reset or power cycle. */
   CRASHED("crashed", false, false);
 
   private final String words;
@@ -26,7 +32,7 @@ public enum FlightPhase {
     this.flying = flying;
   }
 
-  /** For people. */
+  /** Returns a description. */
   public String words() {
     return words;
   }
@@ -35,12 +41,12 @@ public enum FlightPhase {
     return motorsOn;
   }
 
-  /** Whether something of the drone moves: its propellers, or itself. */
+  /** Whether the drone or its propellers move. */
   public boolean moving() {
     return motorsOn || this == FALLING;
   }
 
-  /** Whether the motors carry the drone. */
+  /** Whether the drone is taking off, flying or landing. */
   public boolean flying() {
     return flying;
   }

@@ -1,6 +1,6 @@
 package tellosimulator.model;
 
-/** Where the drone looks for mission pads. */
+/** The directions in which a drone detects mission pads. */
 public enum PadMode {
   OFF,
   DOWN,

@@ -7,29 +7,29 @@ import tellosimulator.math.Vec3;
 import tellosimulator.time.SimTime;
 
 /**
- * A mission pad that a drone sees. Immutable; for any thread.
+ * A mission pad that a drone sees. Immutable.
  *
  * @param id 1 to 8
- * @param pad where the pad's frame is, room frame
- * @param moment when it is seen, and from where
- * @param below whether the camera in the underside sees it, and not only that in the nose
+ * @param pad the pose of the pad's frame in the room frame
+ * @param moment the time of the sighting, and the drone's pose
+ * @param below whether the downward camera sees the pad; if not, only the forward camera sees it
  */
 public record PadSighting(int id, Pose pad, Moment moment, boolean below) {
 
   /**
-   * When and from where something is seen.
+   * The time of a sighting, and the drone's pose.
    *
-   * @param since from when on, without a break
-   * @param drone where the drone was when it looked last, room frame
+   * @param since the time from which the pad has been in sight without interruption
+   * @param drone the drone's pose in the room frame at the latest detection
    */
   public record Moment(SimTime since, Pose drone) {}
 
-  /** From the pad to the drone, in the pad's frame [m]. */
+  /** Returns the vector from the pad to the drone, in the pad's frame [m]. */
   public Vec3 offset() {
     return pad.attitude().toBody(moment.drone().position().minus(pad.position()));
   }
 
-  /** What the state line says of it. */
+  /** Returns the mission pad fields of the state line for this sighting. */
   public PadReading reading() {
     Attitude turn = pad.attitude().inverse().after(moment.drone().attitude());
     Vec3 attitudeDeg =

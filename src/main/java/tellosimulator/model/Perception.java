@@ -3,22 +3,22 @@ package tellosimulator.model;
 import java.util.List;
 
 /**
- * What a drone sees of mission pads. Immutable; for any thread.
+ * A drone's perception of mission pads. Immutable.
  *
- * @param padMode where it looks for them
- * @param looked whether it has looked there yet
- * @param pads those that it sees, the one first that it reports
+ * @param padMode the directions of detection
+ * @param looked whether detection has already run at least once in these directions
+ * @param pads the pads in sight; the first of them is reported
  */
 public record Perception(PadMode padMode, boolean looked, List<PadSighting> pads) {
 
-  /** It does not look. */
+  /** The perception while detection is off. */
   public static final Perception OFF = new Perception(PadMode.OFF, false, List.of());
 
   public Perception {
     pads = List.copyOf(pads);
   }
 
-  /** What the state line says of them. */
+  /** Returns the mission pad fields of the state line. */
   public PadReading reading() {
     if (padMode == PadMode.OFF) {
       return PadReading.OFF;

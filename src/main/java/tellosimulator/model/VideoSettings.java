@@ -1,27 +1,27 @@
 package tellosimulator.model;
 
 /**
- * What an operator asked of the video. Immutable.
+ * The video settings of a drone, as set by its operator. Immutable.
  *
- * @param on whether it is sent
- * @param starts how often an operator asked for it since power-on
- * @param framesPerSecond pictures a second
- * @param megabits bit rate in Mbit/s; 0 for automatic
- * @param lines height of a picture
- * @param downward whether the camera that looks down is sent
+ * @param on whether video is sent
+ * @param starts the number of times that video has been started since power-on
+ * @param framesPerSecond the frame rate [frames/s]
+ * @param megabits the bit rate [Mbit/s]; 0 for automatic
+ * @param lines the height of a frame
+ * @param downward whether the picture of the downward camera is sent
  */
 public record VideoSettings(
     boolean on, int starts, int framesPerSecond, int megabits, int lines, boolean downward) {
 
-  /** Measured: 960 by 720 pixels at 30 pictures a second. */
+  /** The settings at power-on. Measured: 960 by 720 pixels at 30 frames per second. */
   public static final VideoSettings DEFAULT = new VideoSettings(false, 0, 30, 0, 720, false);
 
-  /** On, as if it had been off: an operator asked for it, perhaps once more. */
+  /** Returns a copy that is switched on. This counts as a new start even if video was on. */
   public VideoSettings started() {
     return new VideoSettings(true, starts + 1, framesPerSecond, megabits, lines, downward);
   }
 
-  /** Off. */
+  /** Returns a copy that is switched off. */
   public VideoSettings stopped() {
     return new VideoSettings(false, starts, framesPerSecond, megabits, lines, downward);
   }

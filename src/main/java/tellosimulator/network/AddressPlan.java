@@ -9,44 +9,52 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import tellosimulator.sim.SimConfig.StreamPorts;
 
 /**
- * The requested listen address of each drone; the machine's actual addresses are looked up when
- * sockets are opened. Immutable; for any thread.
+ * The listen addresses requested for each drone. The machine's actual addresses are looked up when
+ * the sockets are opened. Immutable.
  *
- * @param drones for each drone, in the order of their numbers, where it listens
- * @param reach how far the machine's own addresses go
+ * @param drones the endpoint of each drone, in the order of drone numbers
+ * @param reach determines which of the machine's own addresses are used
  */
 public record AddressPlan(List<Endpoint> drones, Reach reach) {
 
   /**
-   * Where real drones take commands, and where operator programs take the replies. Documented: SDK
-   * 1.3 User Guide.
+   * The command port of real drones, and the port where operator programs receive replies.
+   * Documented: SDK 1.3 User Guide.
    */
   public static final int REAL_COMMAND_PORT = 8889;
 
-  /** Ports that operator programs need for themselves. */
+  /** Ports that operator programs bind. */
   private static final Set<Integer> OPERATORS_PORTS =
       Set.of(REAL_COMMAND_PORT, StreamPorts.DEFAULT.statePort(), StreamPorts.DEFAULT.videoPort());
 
-  /** Highest port of UDP. Documented: RFC 768, whose ports have 16 bits. */
+  /** Highest UDP port. Documented: RFC 768; ports have 16 bits. */
   public static final int HIGHEST_PORT = 65535;
 
-  /** As many as 127.0.0.1 to 127.0.0.250. Decided. */
+  /** Maximum number of drones: one for each of 127.0.0.1 to 127.0.0.250. Decided. */
   public static final int MOST_DRONES = 250;
 
-  /** Groups and reserved addresses begin with this and higher bytes. Documented: RFC 1112. */
+  /**
+   * The lowest first byte of multicast addresses. Reserved addresses begin with higher bytes.
+   * Documented: RFC 1112.
+   */
   private static final int FIRST_GROUP = 224;
 
+  private static final Pattern DOTTED =
+      Pattern.compile("((25[0-5]|2[0-4][0-9]|[01]?[0-9]?[0-9])(\\.(?!$)|$)){4}");
+
   /**
-   * Where one drone listens.
+   * The listen addresses and port of one drone.
    *
-   * @param addresses fixed ones; empty for those of the machine, as far as the {@link Reach} goes
-   * @param port on all of them; 0 for one that the system chooses
-   * @param bound whether a person asked for these addresses, which are opened then even if the
-   *     network reaches them
+   * @param addresses fixed addresses; empty for the machine's own addresses, as selected by the
+   *     {@link Reach}
+   * @param port the port on all addresses; 0 lets the system choose
+   * @param bound whether a user requested these addresses explicitly; if so, they are opened even
+   *     if they are reachable from the network
    */
   public record Endpoint(List<InetAddress> addresses, int port, boolean bound) {
 
@@ -63,25 +71,25 @@ public record AddressPlan(List<Endpoint> drones, Reach reach) {
     drones = List.copyOf(drones);
   }
 
-  /** For programs on this machine. */
+  /** Creates a plan for programs on this machine. */
   public AddressPlan(List<Endpoint> drones) {
     this(drones, Reach.THIS_MACHINE);
   }
 
-  /** The same drones, reached from elsewhere. */
+  /** Returns a copy of this plan with another reach. */
   public AddressPlan withReach(Reach newReach) {
     return new AddressPlan(drones, newReach);
   }
 
-  /** One address a drone, all on the same port. */
+  /** Returns a plan with one address for each drone, all on the same port. */
   public static AddressPlan of(List<InetAddress> addresses, int port) {
     return new AddressPlan(
         addresses.stream().map(address -> new Endpoint(List.of(address), port, true)).toList());
   }
 
   /**
-   * The first drone on the machine's own addresses, the others on 127.0.0.2 and so on, all on the
-   * same port.
+   * Returns a plan with the first drone on the machine's own addresses and the others on 127.0.0.2
+   * and so on, all on the same port.
    */
   public static AddressPlan ofMachine(int drones, int port) {
     return ofMachine(
@@ -89,10 +97,11 @@ public record AddressPlan(List<Endpoint> drones, Reach reach) {
   }
 
   /**
-   * The same, but for drones whose address a scenario gives.
+   * Returns a plan like {@link #ofMachine(int, int)}, except for drones whose address a scenario
+   * sets.
    *
-   * @param given for each drone its address; empty for the usual ones of its number
-   * @param ports for each drone its port
+   * @param given the address of each drone; empty for the default address for its number
+   * @param ports the port of each drone
    */
   public static AddressPlan ofMachine(List<Optional<InetAddress>> given, List<Integer> ports) {
     List<Endpoint> plan = new ArrayList<>();
@@ -106,10 +115,12 @@ public record AddressPlan(List<Endpoint> drones, Reach reach) {
   }
 
   /**
-   * All drones on the same addresses, each on a port of its own from {@code firstPort} on.
+   * Returns a plan with all drones on the same addresses, each on its own port. The ports count up
+   * from {@code firstPort}, leaving out those that operator programs bind.
    *
-   * @param addresses empty for the machine's own
-   * @throws IllegalArgumentException with a sentence, if there are not enough ports
+   * @param addresses the addresses; empty for the machine's own
+   * @param firstPort the port of drone 1; 0 lets the system choose all ports
+   * @throws IllegalArgumentException if there are not enough ports; the message is one sentence
    */
   public static AddressPlan portPerDrone(int drones, List<InetAddress> addresses, int firstPort) {
     List<Endpoint> plan = new ArrayList<>();
@@ -132,9 +143,20 @@ public record AddressPlan(List<Endpoint> drones, Reach reach) {
     return new AddressPlan(plan);
   }
 
+  /** Parses the IPv4 address of a single host, without looking up names; empty for other texts. */
+  public static Optional<InetAddress> parse(String dotted) {
+    try {
+      return DOTTED.matcher(dotted).matches()
+          ? Optional.of(InetAddress.getByName(dotted)).filter(AddressPlan::isOfOneHost)
+          : Optional.empty();
+    } catch (UnknownHostException e) {
+      throw new IllegalArgumentException(dotted + " is no address", e);
+    }
+  }
+
   /**
-   * Whether it is the address of one host: not of all of this machine's networks (0.0.0.0), of a
-   * group (multicast), of everybody, or reserved for neither.
+   * Returns whether an address belongs to a single host. The wildcard (0.0.0.0), multicast groups,
+   * the broadcast address and reserved addresses do not.
    */
   public static boolean isOfOneHost(InetAddress address) {
     int first = address.getAddress()[0] & 0xff;
@@ -142,10 +164,10 @@ public record AddressPlan(List<Endpoint> drones, Reach reach) {
   }
 
   /**
-   * Where a drone listens on this machine. Of the machine's addresses, those that another drone has
-   * for itself are left out, such as 127.0.0.2 where it had to be added.
+   * Returns the addresses where a drone listens on this machine. Leaves out machine addresses that
+   * are assigned to another drone, such as 127.0.0.2 on systems where this address had to be added.
    *
-   * @param drone its number, from 1
+   * @param drone the drone's number, from 1
    * @param networks the machine's addresses
    */
   public List<InetSocketAddress> addresses(int drone, LocalNetworks networks) {
@@ -161,12 +183,15 @@ public record AddressPlan(List<Endpoint> drones, Reach reach) {
     return addresses.isEmpty() ? at(own, endpoint.port()) : List.copyOf(addresses);
   }
 
-  /** Whether a drone may listen there: what the network reaches only if a person asked for it. */
+  /**
+   * Returns whether a drone may listen at an address. Addresses reachable from the network are
+   * allowed only on request.
+   */
   boolean allows(int drone, InetAddress address) {
     return address.isLoopbackAddress() || reach == Reach.NETWORK || drones.get(drone - 1).bound();
   }
 
-  /** The same with another port for a drone. */
+  /** Returns a copy of this plan with another port for one drone. */
   AddressPlan withPort(int drone, int port) {
     return new AddressPlan(
         IntStream.rangeClosed(1, drones.size())

@@ -13,36 +13,41 @@ import tellosimulator.time.TokenBucket;
 import tellosimulator.words.Phrase;
 
 /**
- * Decides at the receiver whether a datagram may cost the simulation a turn. Commands of the
- * operator's host always may; everything else is limited by a token bucket for each host, and what
- * comes from outside the machine's own networks never may. What is turned away is counted, and told
- * in sums. For any thread.
+ * Decides in the receiver whether a datagram is passed on to the simulation. Commands from the
+ * operator's host are always passed on. Token buckets limit all other traffic: one for each host,
+ * and a common one for all hosts that do not operate the drone. Traffic from outside the machine's
+ * own networks is rejected, unless the {@link OperatorRule} names its host. Rejected datagrams are
+ * counted, and only their totals are reported. Thread-safe.
  *
- * <p>This only keeps floods away. Which command has which effect is up to the simulation.
+ * <p>This class only protects against floods. The simulation decides the effect of a command.
  */
 final class AdmissionControl {
 
   /**
-   * What a host may send besides the operator's commands [1/s]. Decided: a program that looks on,
-   * or that finds its drone free after each power cycle; typing errors are fewer.
+   * Rate at which datagrams other than the operator's commands are accepted from a host [1/s].
+   * Decided: enough for a program that only reads, and for one that sends commands to a drone that
+   * has no operator yet after a power cycle. Misspelt commands are less frequent.
    */
   private static final double RATE = 200;
 
   private static final double BURST = 1000;
 
-  /** The same of all hosts together that do not operate the drone [1/s]. Decided: two classes. */
+  /**
+   * Combined limit for all hosts that do not operate the drone [1/s]. Decided: enough for two
+   * school classes.
+   */
   private static final double STRANGERS_RATE = 500;
 
   private static final double STRANGERS_BURST = 2000;
 
-  /** Hosts that are remembered. Assumed: more than any class has. */
+  /** Maximum number of hosts that are tracked. Assumed: more hosts than any school class has. */
   private static final int MOST_HOSTS = 256;
 
   private static final Phrase TOO_MANY = Phrase.of("too many at once");
   private static final Phrase FOREIGN =
       Phrase.of(
-          "only private addresses of this machine's own networks are listened to;"
-              + " --operator names another one");
+          "only private addresses on this machine's own networks are accepted;"
+              + " use --operator to allow another one");
 
   private final int drone;
   private final Simulation simulation;
@@ -59,7 +64,7 @@ final class AdmissionControl {
   private long foreign;
   private InetAddress lastForeign = AddressPlan.loopback(1);
 
-  /** What came from a host. */
+  /** The traffic of one host. */
   private static final class Source {
     private final TokenBucket bucket;
     private long dropped;
@@ -70,19 +75,19 @@ final class AdmissionControl {
   }
 
   /**
-   * By the wall clock.
+   * Creates an admission control that uses the wall clock.
    *
-   * @param drone its number, from 1
+   * @param drone the drone's number, from 1
    */
   AdmissionControl(int drone, Simulation simulation) {
     this(drone, simulation, TokenBucket.WALL_CLOCK);
   }
 
   /**
-   * By some clock.
+   * Creates an admission control with a given clock.
    *
-   * @param drone its number, from 1
-   * @param nanos a clock that never goes back [ns]
+   * @param drone the drone's number, from 1
+   * @param nanos a monotonic clock [ns]
    */
   AdmissionControl(int drone, Simulation simulation, LongSupplier nanos) {
     this.drone = drone;
@@ -92,12 +97,12 @@ final class AdmissionControl {
   }
 
   /**
-   * Whether a datagram is to be taken.
+   * Returns whether a datagram is accepted.
    *
-   * @param via the address of this machine that it came to
-   * @param bytes begin with the datagram
-   * @param length of the datagram [bytes]
-   * @param networks of this machine
+   * @param via the address of this machine at which the datagram arrived
+   * @param bytes a buffer that starts with the datagram
+   * @param length the datagram's length [bytes]
+   * @param networks this machine's networks
    */
   synchronized boolean admits(
       InetAddress sender, InetAddress via, byte[] bytes, int length, LocalNetworks networks) {
@@ -119,7 +124,7 @@ final class AdmissionControl {
     return room;
   }
 
-  /** Tells the simulation how many datagrams were turned away since this was called last. */
+  /** Reports to the simulation how many datagrams have been rejected since the last call. */
   synchronized void report() {
     sources.forEach(
         (host, source) -> {
@@ -135,7 +140,7 @@ final class AdmissionControl {
   }
 
   private Source source(InetAddress host) {
-    Source known = sources.get(host); // computeIfAbsent would make an object for each datagram
+    Source known = sources.get(host); // computeIfAbsent would allocate for each datagram
     if (known == null) {
       known = new Source(nanos);
       sources.put(host, known);
@@ -143,7 +148,10 @@ final class AdmissionControl {
     return known;
   }
 
-  /** Written without a stream, as floods come through here. */
+  /**
+   * Returns whether a host operates the drone. Avoids streams, because every datagram of a flood
+   * passes through here.
+   */
   private boolean operates(InetAddress host) {
     Optional<Peer> operator = simulation.snapshot().drones().get(drone - 1).link().operator();
     return operator.isPresent() && operator.get().address().getAddress().equals(host);

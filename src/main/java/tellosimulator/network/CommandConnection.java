@@ -3,16 +3,17 @@ package tellosimulator.network;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.util.Arrays;
 import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.command.Peer;
-import tellosimulator.command.WireText;
 import tellosimulator.sim.Simulation;
 
 /**
- * Takes the datagrams that come to one port of a drone, and counts them. Those that are turned away
- * make no garbage, as floods consist of them. For the receiver's thread.
+ * Counts the datagrams that arrive at one port of a drone, and accepts or rejects them. Rejected
+ * datagrams allocate nothing, so a flood causes no garbage collection. Confined to the receiver's
+ * thread.
  */
 final class CommandConnection {
 
@@ -26,27 +27,27 @@ final class CommandConnection {
   private boolean loopTold;
   private boolean failing;
 
-  /** Decides whether a datagram is taken. */
+  /** Decides whether a datagram is accepted. */
   @FunctionalInterface
   interface Gate {
 
     /**
-     * Whether the simulation is to have it.
+     * Returns whether a datagram is passed on to the simulation.
      *
-     * @param via the drone's own address that it came to
-     * @param bytes begin with the datagram
-     * @param length of the datagram [bytes]
+     * @param via the drone's own address at which the datagram arrived
+     * @param bytes a buffer that starts with the datagram
+     * @param length the datagram's length [bytes]
      */
     boolean admits(InetAddress sender, InetAddress via, byte[] bytes, int length);
   }
 
   /**
-   * Has taken nothing yet.
+   * Creates a connection.
    *
-   * @param drone its number, from 1
+   * @param drone the drone's number, from 1
    * @param address the drone's own address and port
-   * @param ports of all drones; what comes from one of them is no command
-   * @param traffic counts what comes
+   * @param ports the ports of all drones; a datagram from one of them is not a command
+   * @param traffic counts received datagrams
    */
   CommandConnection(int drone, InetSocketAddress address, Ports ports, Gate gate, Traffic traffic) {
     this.drone = drone;
@@ -60,7 +61,7 @@ final class CommandConnection {
     return drone;
   }
 
-  /** Decides what becomes of a datagram; empty if it is turned away. */
+  /** Processes a received datagram; returns an empty result if the datagram is rejected. */
   Optional<DatagramBatch.Entry> take(InetSocketAddress sender, byte[] bytes, int length) {
     traffic.countReceived();
     if (ports.own(sender)) {
@@ -71,12 +72,12 @@ final class CommandConnection {
       return Optional.empty();
     }
     Peer peer = new Peer(sender, address);
-    return Optional.of(new DatagramBatch.Entry(this, peer, WireText.decode(bytes, length)));
+    return Optional.of(new DatagramBatch.Entry(this, peer, Arrays.copyOf(bytes, length)));
   }
 
-  /** Gives a datagram to the simulation, which may have no room for it. */
+  /** Submits a datagram to the simulation. The simulation may drop it if its queue is full. */
   void handOver(Simulation simulation, DatagramBatch.Entry entry) {
-    simulation.submit(drone, entry.peer(), entry.text());
+    simulation.submit(drone, entry.peer(), entry.bytes());
   }
 
   private void tellLoop() {
@@ -90,7 +91,9 @@ final class CommandConnection {
     loopTold = true;
   }
 
-  /** Its socket could not be read; told once until it works again. */
+  /**
+   * Logs a failed read of the socket. Further failures are not logged until a read has succeeded.
+   */
   void fails(IOException failure) {
     if (!failing) {
       LOG.warn("Receiving on {} failed: {}", address, failure.getMessage());
@@ -98,7 +101,7 @@ final class CommandConnection {
     failing = true;
   }
 
-  /** Its socket could be read. */
+  /** Records that a read of the socket succeeded. */
   void works() {
     failing = false;
   }

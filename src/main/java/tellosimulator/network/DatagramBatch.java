@@ -7,29 +7,30 @@ import tellosimulator.command.WireText;
 import tellosimulator.sim.Simulation;
 
 /**
- * Datagrams that were received together, in the order in which they are handed over. Each socket
- * tells its own order alone. Between drones the order follows from what programs wait for: {@code
- * rc} and {@code emergency} have no reply, so a program may send more after them, but after
- * anything else it waits; therefore those two were sent before what others than their own drone
- * got. For one thread.
+ * Datagrams that were received together, in the order in which they are handed over. A socket
+ * preserves only the order of its own datagrams. The order of datagrams to different drones is
+ * inferred from how programs wait for replies. {@code rc} and {@code emergency} have no reply, so a
+ * program may send another command right after them. After any other command, a program waits for
+ * the reply. Therefore, an {@code rc} or {@code emergency} in the batch was sent before the other
+ * commands to other drones. Not thread-safe.
  */
 final class DatagramBatch {
 
-  /** Datagrams that are handed over together. Decided: many drones' worth. */
+  /** Maximum number of datagrams that are handed over together. Decided: enough for many drones. */
   private static final int MOST = 64;
 
   private final List<Entry> entries = new ArrayList<>();
 
   /**
-   * A datagram that may be handed over.
+   * A datagram waiting to be handed over.
    *
-   * @param connection that it came through
-   * @param text one character a byte (ISO-8859-1)
+   * @param connection the connection that received the datagram
    */
-  record Entry(CommandConnection connection, Peer peer, String text) {
+  @SuppressWarnings("ArrayRecordComponent") // never compared
+  record Entry(CommandConnection connection, Peer peer, byte[] bytes) {
 
     private boolean unanswered() {
-      return WireText.isUnanswered(text);
+      return WireText.isUnanswered(WireText.decode(bytes));
     }
   }
 
@@ -56,8 +57,8 @@ final class DatagramBatch {
   }
 
   /**
-   * Hands everything over; empty afterwards. If one cannot be taken, it is lost alone: the next
-   * call hands over those after it.
+   * Hands over all datagrams and empties the batch. If the handover of a datagram fails, only that
+   * datagram is lost. The next call continues with the subsequent ones.
    */
   void handOver(Simulation simulation) {
     while (!entries.isEmpty()) {

@@ -2,13 +2,13 @@ package tellosimulator.network;
 
 import java.net.InetSocketAddress;
 
-/** A local address and port that datagrams leave from. */
+/** A local address and port from which datagrams are sent. */
 public interface DatagramPort extends AutoCloseable {
 
-  /** Where others reach it. */
+  /** Returns the local address of this port. */
   InetSocketAddress address();
 
-  /** Sends, or loses, a datagram. For any thread; never throws. */
+  /** Sends a datagram. It may be lost. Thread-safe; never throws. */
   void send(byte[] bytes, InetSocketAddress to);
 
   @Override

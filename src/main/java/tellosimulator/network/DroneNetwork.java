@@ -13,22 +13,24 @@ import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import tellosimulator.command.Link;
+import tellosimulator.command.DronePort;
+import tellosimulator.command.OperatorEndpoint;
 import tellosimulator.command.Peer;
-import tellosimulator.command.ReplyPort;
 import tellosimulator.sim.Simulation;
-import tellosimulator.sim.StatePort;
 import tellosimulator.time.TokenBucket;
 
 /**
- * The sockets of all drones, opened and closed drone by drone, and connected with a simulation. For
- * any thread.
+ * The sockets of all drones, connected to a simulation. Each drone's sockets are opened and closed
+ * separately. Thread-safe.
  */
 public final class DroneNetwork implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(DroneNetwork.class);
 
-  /** Connected sockets that are opened at the most. Decided: a program that is restarted. */
+  /**
+   * Maximum rate at which connected sockets are opened [1/s]. Decided: enough for a program that is
+   * restarted.
+   */
   private static final double CONNECTS_PER_SECOND = 4;
 
   private static final double MOST_CONNECTS = 64;
@@ -36,28 +38,33 @@ public final class DroneNetwork implements AutoCloseable {
   private final List<DroneSockets> drones;
   private final Ports ports = new Ports();
 
-  /** The numbers of the drones that are on. */
   private final Set<Integer> on = new TreeSet<>();
 
-  /** How each drone was linked last. */
-  private final Map<Integer, Link> links = new TreeMap<>();
+  /** The latest operator endpoint of each drone. */
+  private final Map<Integer, OperatorEndpoint> links = new TreeMap<>();
 
   private final List<AdmissionControl> admissions = new ArrayList<>();
 
-  /** Each command may come from another port, and a socket and a thread for it are not free. */
+  /**
+   * Limits how often connected sockets are opened, because each command may come from another port,
+   * and sockets are expensive.
+   */
   private final TokenBucket connecting = new TokenBucket(CONNECTS_PER_SECOND, MOST_CONNECTS);
 
   private final Supplier<LocalNetworks> look;
   private volatile AddressPlan plan;
   private volatile LocalNetworks networks;
 
-  /** Where each drone listens or would listen, for those who do not wait for sockets. */
+  /**
+   * The listen addresses of each drone, either open or planned. Readers need no lock, so they never
+   * wait while sockets are opened.
+   */
   private volatile List<List<InetSocketAddress>> published = List.of();
 
   private volatile Optional<Simulation> simulation = Optional.empty();
   private Optional<Receiver> receiver = Optional.empty();
 
-  /** Addresses that could not be opened when they appeared; told once. */
+  /** Addresses that could not be opened when they appeared; each is logged once. */
   private final List<InetSocketAddress> refused = new ArrayList<>();
 
   private DroneNetwork(AddressPlan plan, Supplier<LocalNetworks> look) {
@@ -68,24 +75,25 @@ public final class DroneNetwork implements AutoCloseable {
     publish();
   }
 
-  /** Nothing is open yet. */
+  /** Creates a network without opening sockets. */
   public static DroneNetwork of(AddressPlan plan) {
     return of(plan, LocalNetworks::look);
   }
 
   /**
-   * Nothing is open yet.
+   * Creates a network without opening sockets.
    *
-   * @param look finds this machine's addresses
+   * @param look looks up this machine's addresses
    */
   static DroneNetwork of(AddressPlan plan, Supplier<LocalNetworks> look) {
     return new DroneNetwork(plan, look);
   }
 
   /**
-   * Opens the sockets of all drones, or none.
+   * Creates a network and opens the sockets of all drones. If one of them cannot be opened, none
+   * remains open.
    *
-   * @throws PortTakenException if one cannot be had
+   * @throws PortTakenException if a socket cannot be opened
    */
   public static DroneNetwork open(AddressPlan plan) throws PortTakenException {
     DroneNetwork network = of(plan);
@@ -100,13 +108,17 @@ public final class DroneNetwork implements AutoCloseable {
     }
   }
 
-  /** The way out for the replies of the drone of a number; see {@link CommandResponseSender}. */
-  public IntFunction<ReplyPort> replies(OptionalInt fixedPort) {
-    return drone ->
-        new CommandResponseSender(drone, ports, fixedPort, link -> connect(drone, link));
+  /**
+   * Returns a function from a drone's number to the drone's sender.
+   *
+   * @param fixedPort the port to which all replies go; empty for the port from which each command
+   *     came
+   */
+  public IntFunction<DronePort> senders(OptionalInt fixedPort) {
+    return drone -> new DatagramSender(drone, ports, fixedPort, link -> connect(drone, link));
   }
 
-  /** Who sees what comes to the drones and what leaves them, from now on. */
+  /** Sets the tap that is notified of every datagram that the drones send. */
   void setTap(WireTap tap) {
     ports.setTap(tap);
   }
@@ -115,19 +127,13 @@ public final class DroneNetwork implements AutoCloseable {
     return ports.tap();
   }
 
-  /** The way out for state lines. */
-  public StatePort states() {
-    return new StateConnection(ports);
-  }
-
   /**
-   * Hands what is received to a simulation, from now on.
+   * Starts to pass received datagrams to a simulation.
    *
-   * @throws IllegalStateException if the system has no more of what that takes
+   * @throws IllegalStateException if the system is out of resources
    */
   public synchronized void listen(Simulation to) {
     simulation = Optional.of(to);
-    to.listen(new TakenDatagrams(ports));
     receiver = Optional.of(Receiver.start(to));
     for (int drone = 1; drone <= drones.size(); drone++) {
       admissions.add(new AdmissionControl(drone, to));
@@ -138,10 +144,11 @@ public final class DroneNetwork implements AutoCloseable {
   }
 
   /**
-   * Opens a drone's sockets at all addresses that the machine has now, if they are closed.
+   * Opens a drone's sockets at all current addresses of the machine, if they are closed.
    *
-   * @param drone its number, from 1
-   * @throws PortTakenException if one cannot be had; then none is open
+   * @param drone the drone's number, from 1
+   * @throws PortTakenException if a socket cannot be opened; in this case, no socket of the drone
+   *     is open
    */
   public synchronized void open(int drone) throws PortTakenException {
     if (!sockets(drone).isOpen()) {
@@ -170,7 +177,7 @@ public final class DroneNetwork implements AutoCloseable {
     }
   }
 
-  /** Closes a drone's sockets, if they are open; its ports are free when this returns. */
+  /** Closes a drone's sockets if they are open. The ports are free when this method returns. */
   public synchronized void close(int drone) {
     release(drone, List.of());
     on.remove(drone);
@@ -178,11 +185,11 @@ public final class DroneNetwork implements AutoCloseable {
   }
 
   /**
-   * Looks at the machine's addresses anew: drones that are on listen at those that have appeared,
-   * and no more at those that have gone.
+   * Looks up the machine's addresses again. Each drone that is on begins to listen at new
+   * addresses, and stops listening at addresses that have disappeared.
    */
   public void refresh() {
-    LocalNetworks found = look.get(); // which takes a while
+    LocalNetworks found = look.get(); // slow, and therefore outside the lock
     synchronized (this) {
       networks = found;
       on.forEach(this::adopt);
@@ -191,7 +198,7 @@ public final class DroneNetwork implements AutoCloseable {
     }
   }
 
-  /** Closes a drone's sockets but for those at some addresses. */
+  /** Closes a drone's sockets except those at the given addresses. */
   private void release(int drone, List<InetSocketAddress> kept) {
     List<UdpPort> released = sockets(drone).releaseAllBut(kept);
     ports.close(released);
@@ -221,7 +228,10 @@ public final class DroneNetwork implements AutoCloseable {
     }
   }
 
-  /** Whether drones are on, none of them at the port of operators, and nothing has come to any. */
+  /**
+   * Returns whether at least one drone is on, but no drone has received anything, and no drone uses
+   * the port that operator programs bind.
+   */
   synchronized boolean silent() {
     return !on.isEmpty()
         && drones.stream().allMatch(drone -> drone.traffic().received() == 0)
@@ -230,12 +240,12 @@ public final class DroneNetwork implements AutoCloseable {
             .noneMatch(address -> address.getPort() == AddressPlan.REAL_COMMAND_PORT);
   }
 
-  /** From where the drones that listen on the machine's own addresses can be reached. */
+  /** Returns the reach of the drones that listen on the machine's own addresses. */
   public Reach reach() {
     return plan.reach();
   }
 
-  /** Changes it at once, also for drones that are on. */
+  /** Sets the reach. This takes effect immediately, even for drones that are on. */
   public void setReach(Reach reach) {
     synchronized (this) {
       if (plan.reach() != reach) {
@@ -249,15 +259,15 @@ public final class DroneNetwork implements AutoCloseable {
     refresh();
   }
 
-  /** Tells the simulation how many datagrams were turned away since the last time. */
+  /** Reports to the simulation how many datagrams have been rejected since the last call. */
   public synchronized void reportDropped() {
     admissions.forEach(AdmissionControl::report);
   }
 
   /**
-   * Lets a drone listen on another port from the next {@link #open(int)} on.
+   * Sets the port on which a drone listens after the next {@link #open(int)}.
    *
-   * @param port 0 for one that the system chooses
+   * @param port the port; 0 lets the system choose
    */
   public synchronized void setPort(int drone, int port) {
     sockets(drone);
@@ -265,13 +275,16 @@ public final class DroneNetwork implements AutoCloseable {
     publish();
   }
 
-  /** Where a drone listens while its sockets are open, or would listen; never waits. */
+  /**
+   * Returns the addresses where a drone listens, or would listen if its sockets were open. Never
+   * waits.
+   */
   public List<InetSocketAddress> addresses(int drone) {
     sockets(drone);
     return published.get(drone - 1);
   }
 
-  /** Where each drone listens, in the order of their numbers; never waits. */
+  /** Returns the listen addresses of each drone, in the order of drone numbers. Never waits. */
   public List<List<InetSocketAddress>> addresses() {
     return published;
   }
@@ -289,7 +302,9 @@ public final class DroneNetwork implements AutoCloseable {
     return plan.addresses(drone, networks);
   }
 
-  /** Waits until all that has come to the sockets is handed to the simulation. */
+  /**
+   * Waits until all datagrams that have arrived at the sockets have been passed to the simulation.
+   */
   public void settle() {
     Optional<Receiver> current;
     synchronized (this) {
@@ -298,7 +313,7 @@ public final class DroneNetwork implements AutoCloseable {
     current.ifPresent(Receiver::settle);
   }
 
-  /** What a drone received and sent. */
+  /** Returns the datagram counts of a drone. */
   public Traffic traffic(int drone) {
     return sockets(drone).traffic();
   }
@@ -326,10 +341,12 @@ public final class DroneNetwork implements AutoCloseable {
   }
 
   /**
-   * Gives an operator on another machine sockets of its own, for replies and for state lines, so
-   * that the simulation is told when nothing receives there. On the simulation thread.
+   * If the operator is on another machine, opens connected sockets to it, one for replies and one
+   * for state lines, so that the simulation is notified when no program receives the replies or
+   * state lines. Closes connected sockets to other hosts. Called on the simulation thread, and by
+   * {@link #refresh}.
    */
-  private synchronized void connect(int drone, Link link) {
+  private synchronized void connect(int drone, OperatorEndpoint link) {
     links.put(drone, link);
     Optional<Peer> remote = link.operator().filter(operator -> !operator.local());
     for (UdpPort port : sockets(drone).ports()) {
@@ -340,7 +357,11 @@ public final class DroneNetwork implements AutoCloseable {
     receiver.ifPresent(Receiver::settleSoon);
   }
 
-  /** State comes first and always: replies are few, but state never ends. */
+  /**
+   * Connects sockets to an operator. The socket for state lines is always opened, because state
+   * lines are sent continually. The socket for replies, which are few, is opened only if the rate
+   * limit allows it.
+   */
   private void connect(int drone, UdpPort port, Peer operator, int statePort) {
     connect(drone, port, new InetSocketAddress(operator.address().getAddress(), statePort));
     if (!port.isConnectedTo(operator.address()) && connecting.tryTake()) {

@@ -4,17 +4,17 @@ import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The sockets of one drone. Not safe for several threads at once. */
+/** The sockets of one drone. Not thread-safe. */
 final class DroneSockets {
 
   private final List<UdpPort> open = new ArrayList<>();
   private final Traffic traffic = new Traffic();
 
   /**
-   * Opens sockets at all these addresses, or none. Where the system chooses a port for the first
-   * one, the others have the same.
+   * Opens a socket at each of the addresses, or no socket at all. If the system chooses the port of
+   * the first socket, the others use the same port.
    *
-   * @throws PortTakenException if one cannot be had
+   * @throws PortTakenException if a socket cannot be opened
    */
   void open(List<InetSocketAddress> addresses) throws PortTakenException {
     int before = open.size();
@@ -38,7 +38,7 @@ final class DroneSockets {
   }
 
   /**
-   * Forgets the open sockets that are at none of these addresses, and returns them to be closed.
+   * Removes the open sockets that are not at any of these addresses, and returns them for closing.
    */
   List<UdpPort> releaseAllBut(List<InetSocketAddress> addresses) {
     List<UdpPort> released =
@@ -47,7 +47,6 @@ final class DroneSockets {
     return released;
   }
 
-  /** Where it listens now. */
   List<InetSocketAddress> addresses() {
     return open.stream().map(UdpPort::address).toList();
   }

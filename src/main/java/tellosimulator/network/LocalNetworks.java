@@ -9,10 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 
-/**
- * This machine's IPv4 addresses and the networks that they are in, at the moment of a look.
- * Immutable; for any thread.
- */
+/** This machine's IPv4 addresses and their networks, as found by one lookup. Immutable. */
 public record LocalNetworks(List<Member> members) {
 
   private static final InetAddress LOOPBACK = AddressPlan.loopback(1);
@@ -20,7 +17,7 @@ public record LocalNetworks(List<Member> members) {
   /**
    * An address of this machine in a network.
    *
-   * @param prefix length of the network's part of the address [bits]
+   * @param prefix the length of the network prefix [bits]
    */
   public record Member(InetAddress address, int prefix) {
 
@@ -42,7 +39,7 @@ public record LocalNetworks(List<Member> members) {
     members = List.copyOf(members);
   }
 
-  /** Asks the system; loopback alone where it does not answer. */
+  /** Looks up the system's addresses. If the lookup fails, returns loopback alone. */
   public static LocalNetworks look() {
     List<Member> members = new ArrayList<>();
     try {
@@ -62,7 +59,7 @@ public record LocalNetworks(List<Member> members) {
     return new Member(address.getAddress(), address.getNetworkPrefixLength());
   }
 
-  /** All addresses of this machine, loopback first. */
+  /** Returns all addresses of this machine, loopback first. */
   List<InetAddress> addresses() {
     List<InetAddress> addresses = new ArrayList<>(List.of(LOOPBACK));
     members.stream()
@@ -73,10 +70,11 @@ public record LocalNetworks(List<Member> members) {
   }
 
   /**
-   * Whether a sender is a neighbour: in the same network as the address that it sent to, and with
-   * an address that is private to networks (RFC 1918, RFC 3927). On loopback everybody is.
+   * Returns whether a sender is a neighbour. A neighbour has a private or link-local address (RFC
+   * 1918, RFC 3927) in the same network as the address to which it sent the datagram. On loopback,
+   * every sender is a neighbour.
    *
-   * @param own the address of this machine that it sent to
+   * @param own the address of this machine at which the datagram arrived
    */
   public boolean neighbors(InetAddress own, InetAddress sender) {
     if (own.isLoopbackAddress()) {
@@ -85,7 +83,7 @@ public record LocalNetworks(List<Member> members) {
     if (!sender.isSiteLocalAddress() && !sender.isLinkLocalAddress()) {
       return false;
     }
-    for (Member member : members) { // not a stream, as floods come through here
+    for (Member member : members) { // not a stream, because floods pass through here
       if (Objects.equals(member.address(), own) && member.sameNetwork(sender)) {
         return true;
       }

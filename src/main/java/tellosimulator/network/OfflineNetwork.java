@@ -2,37 +2,32 @@ package tellosimulator.network;
 
 import java.util.OptionalInt;
 import java.util.function.IntFunction;
-import tellosimulator.command.ReplyPort;
-import tellosimulator.sim.Simulation;
-import tellosimulator.sim.StatePort;
+import tellosimulator.command.DronePort;
 
 /**
- * What stands in for sockets where a simulation has none: a tap sees what would have left, and what
- * is taken. For the simulation thread.
+ * Replaces the sockets in a simulation that runs without a network. Notifies a tap of every
+ * datagram that would be sent. Confined to the simulation thread.
  */
 public final class OfflineNetwork {
 
   private final Ports ports = Ports.withoutSockets();
 
   /**
-   * @param tap sees what passes
+   * Creates an offline network.
+   *
+   * @param tap notified of every datagram
    */
   public OfflineNetwork(WireTap tap) {
     ports.setTap(tap);
   }
 
-  /** The way out for the replies of the drone of a number; see {@link CommandResponseSender}. */
-  public IntFunction<ReplyPort> replies(OptionalInt fixedPort) {
-    return drone -> new CommandResponseSender(drone, ports, fixedPort, link -> {});
-  }
-
-  /** The way out for state lines. */
-  public StatePort states() {
-    return new StateConnection(ports);
-  }
-
-  /** Shows the tap what a simulation takes, from now on. */
-  public void listen(Simulation to) {
-    to.listen(new TakenDatagrams(ports));
+  /**
+   * Returns a function from a drone's number to the drone's sender.
+   *
+   * @param fixedPort the port to which all replies go; empty for the port from which each command
+   *     came
+   */
+  public IntFunction<DronePort> senders(OptionalInt fixedPort) {
+    return drone -> new DatagramSender(drone, ports, fixedPort, link -> {});
   }
 }

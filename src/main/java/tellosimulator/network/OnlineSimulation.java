@@ -22,14 +22,14 @@ import tellosimulator.time.SimTime;
 import tellosimulator.time.Ticker;
 
 /**
- * A simulation that runs at the pace of its clock, with drones that programs reach over UDP while
- * they are on. For any thread but that of the simulation.
+ * A simulation that runs at the pace of its clock. Programs can reach each drone over UDP while the
+ * drone is on. Thread-safe, but must not be called on the simulation thread.
  */
 public final class OnlineSimulation implements AutoCloseable {
 
   /**
-   * How often the network is looked at: what was turned away is told, and new addresses of the
-   * machine are served [ns]. Decided.
+   * Interval at which rejected datagrams are reported and the machine's addresses are looked up
+   * [ns]. Decided.
    */
   private static final long WATCH_NANOS = 1_000_000_000;
 
@@ -44,22 +44,23 @@ public final class OnlineSimulation implements AutoCloseable {
   private boolean closed;
 
   /**
-   * Starts with all drones off and all sockets closed.
+   * Creates and starts a simulation with all drones off and all sockets closed.
    *
-   * @param replyPort port to which all replies go; empty for the port each command came from
-   * @param listeners are told what happens, on the simulation thread
+   * @param replyPort the port to which all replies go; empty for the port from which each command
+   *     came
+   * @param listeners notified on the simulation thread
    */
   public OnlineSimulation(
       SimConfig config, AddressPlan plan, OptionalInt replyPort, List<SimListener> listeners) {
     network = DroneNetwork.of(plan);
     this.replyPort = replyPort;
-    simulation = new Simulation(config, network.replies(replyPort), network.states(), listeners);
+    simulation = new Simulation(config, network.senders(replyPort), listeners);
     loop = new SimulationLoop(simulation);
     network.listen(simulation);
     watch = Worker.start("network", new Watch());
   }
 
-  /** Looks after the sockets now and then. */
+  /** Checks the network periodically. */
   private final class Watch implements Agent {
 
     private final ErrorPolicy failed = ErrorPolicy.goOn("The network could not be looked after");
@@ -81,20 +82,21 @@ public final class OnlineSimulation implements AutoCloseable {
     }
   }
 
-  /** From where the drones that listen on the machine's own addresses can be reached. */
+  /** Returns the reach of the drones that listen on the machine's own addresses. */
   public Reach reach() {
     return network.reach();
   }
 
-  /** Changes it at once, also for drones that are on. */
+  /** Sets the reach. This takes effect immediately, even for drones that are on. */
   public void setReach(Reach reach) {
     network.setReach(reach);
   }
 
   /**
-   * Switches all drones on, or none.
+   * Switches all drones on. If the address or port of one of them cannot be opened, all sockets are
+   * closed.
    *
-   * @throws PortTakenException if an address or port cannot be had
+   * @throws PortTakenException if an address or port cannot be opened
    */
   public synchronized void switchAllOn() throws PortTakenException {
     int drones = snapshot().drones().size();
@@ -112,12 +114,12 @@ public final class OnlineSimulation implements AutoCloseable {
   }
 
   /**
-   * Hands over what a person does, and waits until the snapshot shows it. The power switch also
-   * opens and closes the drone's sockets, so that only a drone that is on listens.
+   * Submits a control and waits until the snapshot includes its effect. {@link Control.Power} also
+   * opens or closes the drone's sockets, so that a drone listens only while it is on.
    *
-   * @throws IllegalArgumentException if there is no such drone
-   * @throws PortTakenException if a drone cannot be switched on, because one of its addresses or
-   *     ports cannot be had
+   * @throws IllegalArgumentException if there is no drone with that number
+   * @throws PortTakenException if a drone cannot be switched on because one of its addresses or
+   *     ports cannot be opened
    */
   public void carryOut(Control control) throws PortTakenException {
     if (control instanceof Control.Power power) {
@@ -127,38 +129,59 @@ public final class OnlineSimulation implements AutoCloseable {
     }
   }
 
-  /** Lets simulated time pass where it would stand still, because nothing moves [s]. */
+  /**
+   * Submits that the attempt at the goals ends, and does not wait. May also be called on the
+   * simulation thread.
+   */
+  public void endAttempt() {
+    simulation.control(new Control.EndAttempt());
+  }
+
+  /**
+   * Lets a duration of simulated time [s] pass even if nothing is moving; at time factor {@code
+   * max}, time would otherwise stand still. Does not wait for the duration to pass.
+   */
   public void letPass(double seconds) {
     loop.carryOut(new Control.PassTime(seconds));
   }
 
   /**
-   * Begins anew with all drones on; the sockets stay as they are.
+   * Starts a new run with all drones on. The sockets of drones that were on remain open.
    *
-   * @param config with as many drones as before
-   * @throws PortTakenException if a drone was off, and one of its addresses or ports cannot be had
+   * @param config a configuration with as many drones as before
+   * @throws PortTakenException if a drone was off and one of its addresses or ports cannot be
+   *     opened
    */
   public synchronized void restart(SimConfig config) throws PortTakenException {
-    loop.carryOut(new Control.Restart(config));
+    loop.carryOut(new Control.NewRun(config));
     switchAllOn();
   }
 
-  /** As {@link SimulationLoop#settle}; what programs have sent until now has arrived, too. */
+  /**
+   * Passes to the simulation all datagrams that have arrived at the sockets, then waits like {@link
+   * SimulationLoop#settle}.
+   */
   public void settle() {
     network.settle();
     loop.settle();
   }
 
-  /** As {@link SimulationLoop#awaitStill}; what programs have sent until now has arrived, too. */
+  /**
+   * Passes to the simulation all datagrams that have arrived at the sockets, then waits like {@link
+   * SimulationLoop#awaitStill}.
+   */
   public boolean awaitStill(Duration limit) throws InterruptedException {
     network.settle();
     return loop.awaitStill(limit);
   }
 
-  /** One at a time, so that whoever is last decides on drone and sockets. */
+  /**
+   * Switches a drone on or off. Synchronized, so that the last call determines the state of both
+   * the drone and its sockets.
+   */
   private synchronized void switchPower(Control.Power power) throws PortTakenException {
     if (closed) {
-      return; // or sockets would be opened that nobody closes
+      return; // otherwise, sockets would be opened and never closed
     }
     if (power.on()) {
       network.open(power.drone());
@@ -169,16 +192,16 @@ public final class OnlineSimulation implements AutoCloseable {
     }
   }
 
-  /** Tells one more listener what happens, on the simulation thread. */
+  /** Adds a listener. It is notified on the simulation thread. */
   public void listen(SimListener listener) {
     simulation.listen(listener);
   }
 
   /**
-   * Sets a listener that is notified once if drones are on and nothing comes to them for a while,
-   * and once if a program listens for video that was not asked for.
+   * Sets a listener for silence. It is notified once if drones are on and receive nothing for a
+   * while, and once if a program listens for video that was not requested.
    *
-   * @param listener is called on a thread of the network
+   * @param listener called on a network thread
    */
   public void onSilence(Consumer<Silence> listener) {
     InetSocketAddress operators =
@@ -189,74 +212,76 @@ public final class OnlineSimulation implements AutoCloseable {
             new VideoWatch(this::unaskedVideo, () -> listener.accept(Silence.VIDEO_NOT_ASKED)));
   }
 
-  /** Where the video of the first drone would go that a program on loopback operates without it. */
+  /**
+   * Returns the video address of the first drone that a local program operates without requesting
+   * the drone's video, if any.
+   */
   private Optional<InetSocketAddress> unaskedVideo() {
     return snapshot().drones().stream()
         .filter(drone -> drone.state().video().starts() == 0)
-        .flatMap(
-            drone ->
-                drone
-                    .link()
-                    .operator()
-                    .filter(Peer::local)
-                    .map(
-                        peer ->
-                            new InetSocketAddress(
-                                peer.address().getAddress(), drone.link().videoPort()))
-                    .stream())
+        .flatMap(drone -> drone.link().at(drone.link().videoPort()).stream())
+        .filter(Peer::local)
+        .map(Peer::address)
         .findFirst();
   }
 
-  /** Shows somebody what comes to the drones and what leaves them, from now on. */
+  /** Sets the tap that is notified of every datagram that the drones send. */
   public void setTap(WireTap tap) {
     network.setTap(tap);
   }
 
-  /** Who sees what comes to the drones and what leaves them. */
+  /** Returns the tap that is notified of every datagram that the drones send. */
   public WireTap tap() {
     return network.tap();
   }
 
-  /** What it began from, now or the last time that it began anew. */
+  /** Returns the initial configuration of the current run. */
   public SimConfig config() {
     return simulation.config();
   }
 
-  /** Port to which all replies go; empty for the port each command came from. */
+  /** Returns the port to which all replies go; empty for the port from which each command came. */
   public OptionalInt replyPort() {
     return replyPort;
   }
 
-  /** Whether nothing has come to it from outside yet, neither commands nor what people do. */
+  /**
+   * Returns whether the simulation has not received any input yet, neither a command nor a control.
+   */
   public boolean untouched() {
     return simulation.untouched();
   }
 
-  /** Until when the simulation has come: the end of the step that is being made, if one is. */
+  /**
+   * Returns the time that the simulation has reached: the end of the step in progress, or of the
+   * last step.
+   */
   public SimTime time() {
     return simulation.time();
   }
 
-  /** The latest completed step. */
+  /** Returns the snapshot of the latest completed step. */
   public SimSnapshot snapshot() {
     return simulation.snapshot();
   }
 
   /**
-   * Lets a drone listen on another port from the next time it is switched on.
+   * Sets the port on which a drone listens when it is next switched on.
    *
-   * @param port 0 for one that the system chooses
+   * @param port the port; 0 lets the system choose
    */
   public void setCommandPort(int drone, int port) {
     network.setPort(drone, port);
   }
 
-  /** Where a drone listens while it is on. */
+  /** Returns the addresses where a drone listens while it is on. */
   public List<InetSocketAddress> addresses(int drone) {
     return network.addresses(drone);
   }
 
-  /** The line that says which drone listens where, for scripts and people who wait for it. */
+  /**
+   * Returns the line that lists the address of each drone. Scripts and users wait for this line.
+   */
   public String ready() {
     List<String> drones = new ArrayList<>();
     for (int drone = 1; drone <= snapshot().drones().size(); drone++) {
@@ -269,7 +294,7 @@ public final class OnlineSimulation implements AutoCloseable {
     return "ready: " + String.join("; ", drones);
   }
 
-  /** What a drone received and sent. */
+  /** Returns the datagram counts of a drone. */
   public Traffic traffic(int drone) {
     return network.traffic(drone);
   }
@@ -282,7 +307,7 @@ public final class OnlineSimulation implements AutoCloseable {
     synchronized (this) {
       closed = true;
     }
-    loop.close(); // before the sockets, so that what it sends until then does leave
+    loop.close(); // before the sockets, so that its last datagrams are still sent
     network.close();
   }
 }

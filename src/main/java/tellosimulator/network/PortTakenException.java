@@ -4,21 +4,25 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.Locale;
 
-/** An address or port that cannot be had; its message is one sentence for people. */
+/** Thrown if an address or port cannot be opened. The message is one sentence for users. */
 public final class PortTakenException extends IOException {
 
   private static final long serialVersionUID = 1;
 
-  /** Why it cannot be had. */
+  /** The reason why an address or port cannot be opened. */
   public enum Obstacle {
-    /** Another program has the port. */
+    /** Another program uses the port. */
     TAKEN,
-    /** An operator program probably has the port, because all of them need it. */
+    /**
+     * The port is probably used by an operator program, because every operator program needs this
+     * port.
+     */
     TAKEN_BY_OPERATOR,
+    /** The address does not belong to this machine. */
     NO_SUCH_ADDRESS,
-    /** The network reaches it, but nobody asked for that. */
+    /** The address is reachable from the network, but was not requested explicitly. */
     OFF_LIMITS,
-    /** The system refuses. */
+    /** The system denies access to the port. */
     FORBIDDEN
   }
 
@@ -32,20 +36,20 @@ public final class PortTakenException extends IOException {
     this.obstacle = obstacle;
   }
 
-  /** What cannot be had. */
+  /** Returns the address that cannot be opened. */
   public InetSocketAddress address() {
     return address;
   }
 
-  /** Why it cannot be had. */
+  /** Returns the reason why the address cannot be opened. */
   public Obstacle obstacle() {
     return obstacle;
   }
 
   /**
-   * Of a port that no drone needs.
+   * Creates an exception for a port other than a drone's command port.
    *
-   * @param option with which another one is chosen
+   * @param option the option that selects another port
    */
   public static PortTakenException taken(
       InetSocketAddress address, String option, IOException cause) {
@@ -54,7 +58,7 @@ public final class PortTakenException extends IOException {
         Obstacle.TAKEN,
         String.format(
             Locale.ROOT,
-            "Port %d of %s cannot be had (%s): choose another one with %s, or 0 for a free one.",
+            "Port %d of %s is not available (%s): choose another one with %s, or 0 for a free one.",
             address.getPort(),
             address.getAddress().getHostAddress(),
             cause.getMessage(),
@@ -63,10 +67,10 @@ public final class PortTakenException extends IOException {
   }
 
   /**
-   * Of a port of this machine to which a real drone sends.
+   * Creates an exception for a port of this machine to which a real drone sends.
    *
-   * @param what it sends there: {@code state}
-   * @param option with which the operator program's own port is chosen
+   * @param what the data that the drone sends there, such as {@code state}
+   * @param option the option that selects the operator program's own port
    */
   public static PortTakenException takenFromProxy(
       InetSocketAddress address, String what, String option, IOException cause) {
@@ -75,7 +79,7 @@ public final class PortTakenException extends IOException {
         Obstacle.TAKEN,
         String.format(
             Locale.ROOT,
-            "Port %d of %s cannot be had (%s), but the drone sends its %s there: end the program"
+            "Port %d of %s is not available (%s), but the drone sends its %s there: end the program"
                 + " that has it, let it take the %s at another port and say which with %s, or run"
                 + " it on another machine and the proxy with --lan.",
             address.getPort(),

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** The open ports of all drones, by their local address. For any thread. */
+/** The open ports of all drones, by local address. Thread-safe. */
 public final class Ports {
 
   private record Open(DatagramPort port, Traffic traffic) {}
@@ -14,23 +14,22 @@ public final class Ports {
   private final Map<InetSocketAddress, Open> byAddress = new ConcurrentHashMap<>();
   private volatile WireTap tap = WireTap.NONE;
 
-  /** What leaves a drone. */
-  @SuppressWarnings("ArrayRecordComponent") // never compared, and nobody changes the bytes
+  /** A datagram sent by a drone. */
+  @SuppressWarnings("ArrayRecordComponent") // never compared, and the bytes are never modified
   record Outgoing(int drone, WireTap.Kind kind, byte[] bytes) {}
 
-  /** Whether there are sockets at all. */
   private final boolean real;
 
   private Ports(boolean real) {
     this.real = real;
   }
 
-  /** None are open yet. */
+  /** Creates an empty set of ports. */
   Ports() {
     this(true);
   }
 
-  /** From which nothing leaves; the tap sees all that would. */
+  /** Returns ports that send nothing, but notify the tap of every datagram that would be sent. */
   static Ports withoutSockets() {
     return new Ports(false);
   }
@@ -41,15 +40,15 @@ public final class Ports {
   }
 
   /**
-   * One more that is open.
+   * Adds an open port.
    *
-   * @param traffic counts what it sends
+   * @param traffic counts the datagrams that the port sends
    */
   void add(DatagramPort port, Traffic traffic) {
     byAddress.put(port.address(), new Open(port, traffic));
   }
 
-  /** Closes these and forgets them. */
+  /** Closes and removes ports. */
   void close(List<? extends DatagramPort> ports) {
     for (DatagramPort port : ports) {
       byAddress.remove(port.address());
@@ -57,29 +56,28 @@ public final class Ports {
     }
   }
 
-  /** Who sees what passes, from now on. */
+  /** Sets the tap that is notified of every datagram that is sent. */
   void setTap(WireTap newTap) {
     tap = newTap;
   }
 
-  /** Who sees what passes. */
   WireTap tap() {
     return tap;
   }
 
-  /** Sends from the port at {@code from}, if it is still there. */
+  /** Sends a datagram from the port at {@code from}, if that port is still open. */
   void send(InetSocketAddress from, Outgoing datagram, InetSocketAddress to) {
     Open open = byAddress.get(from);
     if (!real) {
       tap.sent(datagram.drone(), datagram.kind(), from, to, datagram.bytes());
     } else if (open != null) {
-      open.traffic().countSent(); // first, so that who has a reply finds it counted
+      open.traffic().countSent(); // first, so that a reply is counted before it is received
       tap.sent(datagram.drone(), datagram.kind(), from, to, datagram.bytes());
       open.port().send(datagram.bytes(), to);
     }
   }
 
-  /** Whether what came from {@code sender} was sent by one of these ports. */
+  /** Returns whether {@code sender} is the address of one of these ports. */
   boolean own(InetSocketAddress sender) {
     return byAddress.containsKey(sender);
   }

@@ -1,9 +1,12 @@
 package tellosimulator.network;
 
-/** From where drones can be reached that listen on the machine's own addresses. */
+/**
+ * The machines that can reach the drones that listen on this machine's own addresses. Does not
+ * apply to drones with a fixed address.
+ */
 public enum Reach {
-  /** Programs on this machine alone: drones listen on loopback. */
+  /** This machine only: drones listen on loopback. */
   THIS_MACHINE,
-  /** Also other machines of the local networks: drones listen on all addresses. */
+  /** This machine and others in the local networks: drones listen on all addresses. */
   NETWORK
 }

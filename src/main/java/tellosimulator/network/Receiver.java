@@ -21,26 +21,31 @@ import tellosimulator.concurrent.Worker;
 import tellosimulator.sim.Simulation;
 
 /**
- * Receives what comes to the open sockets of all drones, on one thread, and hands it to the
- * simulation. What is waiting when it wakes up is read as a whole before any of it is handed over,
- * so that of two datagrams that a program sends to different drones the second does not overtake
- * the first; see {@link DatagramBatch}. Nothing that arrives ends it. Its methods are for any
- * thread.
+ * Receives the datagrams of all open sockets on one thread, and passes them to the simulation. When
+ * the thread wakes up, it reads all pending datagrams before it passes on any of them. Thus, if a
+ * program sends two datagrams to different drones, the second cannot overtake the first; see {@link
+ * DatagramBatch}. No received datagram can terminate the thread. Thread-safe.
  */
 final class Receiver implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(Receiver.class);
 
-  /** Longer than the longest command, so that a longer one is seen to be longer [bytes]. */
+  /**
+   * Buffer length [bytes]. It exceeds the longest command, so that an overlong command is
+   * recognized.
+   */
   private static final int BUFFER = 2048;
 
-  /** Datagrams that are read from a socket before the next one has its turn. Decided. */
+  /** Maximum number of datagrams read from one socket before the next socket is read. Decided. */
   private static final int MOST_OF_PORT = 64;
 
-  /** Pause after a socket failed, so that it does not take a whole processor [ms]. Decided. */
+  /**
+   * Pause after a socket failure [ms], so that repeated failures do not occupy a whole processor.
+   * Decided.
+   */
   private static final int BACK_OFF_MS = 10;
 
-  /** How often {@link #settle} looks whether the thread has ended [ms]. */
+  /** Interval at which {@link #settle} checks whether the thread has ended [ms]. */
   private static final int PATIENCE_MS = 1000;
 
   private final Selector selector;
@@ -58,27 +63,29 @@ final class Receiver implements AutoCloseable {
   }
 
   /**
-   * Starts; nothing is received yet.
+   * Starts a receiver without sockets.
    *
-   * @throws IllegalStateException if the system has no more of what that takes
+   * @throws IllegalStateException if the system is out of resources
    */
   static Receiver start(Simulation simulation) {
     try {
       return new Receiver(Selector.open(), simulation);
     } catch (IOException e) {
-      throw new IllegalStateException("the system lets nobody wait for datagrams", e);
+      throw new IllegalStateException(
+          "the system cannot provide a selector for receiving datagrams", e);
     }
   }
 
-  /** Receives from a socket until that is closed. */
+  /** Receives from a socket until the socket is closed. */
   void add(UdpPort port, CommandConnection connection) {
     port.register(selector, new Source(port, connection));
     wakeUp();
   }
 
   /**
-   * Waits until what has come to the sockets is handed over and sockets that have been closed are
-   * let go of, so that their ports are free. Does not wait after the end.
+   * Waits until all datagrams that have arrived at the sockets have been passed on, and until
+   * closed sockets are deregistered, so that their ports are free. Returns at once if the receiver
+   * has ended.
    */
   void settle() {
     CountDownLatch settled = new CountDownLatch(1);
@@ -93,19 +100,22 @@ final class Receiver implements AutoCloseable {
     }
   }
 
-  /** As {@link #settle}, soon. */
+  /** Starts the work for which {@link #settle} waits, and returns at once. */
   void settleSoon() {
     wakeUp();
   }
 
-  /** A selector that is closed must not be woken: its descriptor may be another's by then. */
+  /**
+   * Wakes up the selector. A closed selector must not be woken, because its descriptor may already
+   * be reused.
+   */
   private synchronized void wakeUp() {
     if (selector.isOpen()) {
       selector.wakeup();
     }
   }
 
-  /** Ends it after what it does now. Sockets are closed by whoever opened them. */
+  /** Stops the receiver after the work in progress. The sockets are closed by their owners. */
   @Override
   public void close() {
     closed = true;
@@ -128,7 +138,7 @@ final class Receiver implements AutoCloseable {
     private final byte[] bytes = new byte[BUFFER];
     private final DatagramBatch batch = new DatagramBatch();
 
-    /** Sockets that failed, and pause. */
+    /** Sockets that are paused after a failure. */
     private final List<SelectionKey> failed = new ArrayList<>();
 
     @Override
@@ -146,8 +156,9 @@ final class Receiver implements AutoCloseable {
     }
 
     /**
-     * Who sends a command after the reply to the one before, or without such, has sent everything
-     * else by then: so it is looked once more after something was found.
+     * Reads all pending datagrams, and repeats this until no more are found. When a command is
+     * found, all earlier commands of the same program have already been sent, but may not have been
+     * read yet from the sockets of other drones.
      */
     private void receive(boolean atOnce) throws IOException {
       if (atOnce) {
@@ -155,7 +166,7 @@ final class Receiver implements AutoCloseable {
       } else {
         await();
       }
-      int found = selector.keys().size() > 1 ? 0 : batch.size(); // one socket has its own order
+      int found = selector.keys().size() > 1 ? 0 : batch.size(); // a single socket keeps the order
       while (batch.size() > found && batch.hasRoom()) {
         found = batch.size();
         selector.selectNow(this::read);

@@ -1,11 +1,17 @@
 package tellosimulator.network;
 
-/** Why nothing comes to drones that are on, or from them, as far as that is known. */
+/**
+ * The probable reason why no drone receives anything, although some drones are on, or why a program
+ * receives no video.
+ */
 public enum Silence {
-  /** A program has the port that operator programs have, so one has probably begun. */
+  /**
+   * An operator program is probably running, but sends to another address: the port that operator
+   * programs bind is in use, but no datagram has arrived.
+   */
   PROGRAM_ELSEWHERE,
-  /** Nothing but that. */
+  /** No datagram has arrived, and no other reason is known. */
   NOTHING_CAME,
-  /** A program listens for video, but none has asked for it. */
+  /** A program listens for video, but no program has requested it. */
   VIDEO_NOT_ASKED
 }

@@ -5,17 +5,20 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * Notices once that nothing comes to drones that are on, because a program sends elsewhere: the
- * most common mistake is to keep port 8889. Nobody can listen there for long, since operator
- * programs bind that port themselves and would not start; so this only tries for a moment whether
- * the port is free. For one thread.
+ * Detects that drones are on but receive nothing. The most common cause is a program that still
+ * sends to port 8889. The simulator cannot listen on that port permanently, because operator
+ * programs bind the port themselves and would fail to start. This class therefore only probes
+ * whether the port is free. Not thread-safe.
  */
 final class SilenceWatch {
 
-  /** Looks, one a second, for which a program may have the port and say nothing. Decided. */
+  /**
+   * Number of checks, one per second, for which a program may hold the port without sending.
+   * Decided.
+   */
   static final int LOOKS_WITH_PROGRAM = 8;
 
-  /** Looks for which drones may be on and hear nothing at all. Decided. */
+  /** Number of checks for which drones may be on without receiving anything. Decided. */
   static final int LOOKS = 45;
 
   private final InetSocketAddress operators;
@@ -26,9 +29,11 @@ final class SilenceWatch {
   private boolean told;
 
   /**
-   * @param operators where operator programs listen on this machine
-   * @param silent whether drones are on and nothing has ever come to them
-   * @param listener is told at most once, on the thread that looks
+   * Creates a watch.
+   *
+   * @param operators the address where operator programs listen on this machine
+   * @param silent whether drones are on and have never received anything
+   * @param listener notified at most once, on the thread that calls {@link #look}
    */
   SilenceWatch(InetSocketAddress operators, BooleanSupplier silent, Consumer<Silence> listener) {
     this.operators = operators;
@@ -36,7 +41,7 @@ final class SilenceWatch {
     this.listener = listener;
   }
 
-  /** Looks once more; to be called once a second. */
+  /** Performs one check. Must be called once per second. */
   void look() {
     if (told) {
       return;

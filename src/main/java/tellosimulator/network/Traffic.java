@@ -2,7 +2,7 @@ package tellosimulator.network;
 
 import java.util.concurrent.atomic.LongAdder;
 
-/** Counts a drone's datagrams since the program started. For any thread. */
+/** Counts the datagrams of a drone, beginning when the program starts. Thread-safe. */
 public final class Traffic {
 
   private final LongAdder received = new LongAdder();
@@ -16,12 +16,14 @@ public final class Traffic {
     sent.increment();
   }
 
-  /** Datagrams that came to the drone's command port, also those that were turned away. */
+  /**
+   * Returns the number of datagrams received at the drone's command port, including rejected ones.
+   */
   public long received() {
     return received.sum();
   }
 
-  /** Datagrams that left from there: replies and state lines. */
+  /** Returns the number of datagrams sent from the command port: replies and state lines. */
   public long sent() {
     return sent.sum();
   }

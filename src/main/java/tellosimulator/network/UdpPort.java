@@ -18,16 +18,17 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A UDP socket. It may have connected sockets beside it, on the same address and port, each for one
- * peer: the system tells those when nothing receives there, and gives them what comes from there.
+ * A UDP socket. On the same address and port, there may also be connected sockets, each for one
+ * peer. The system notifies a connected socket when no program receives at the peer, and delivers
+ * the peer's datagrams to that socket.
  */
 public final class UdpPort implements DatagramPort {
 
-  /** Is told, on any thread, that something sent did not arrive. */
+  /** A listener that is notified, on any thread, that a sent datagram did not arrive. */
   @FunctionalInterface
   public interface UnreachableListener {
 
-    /** The system was told by ICMP that nothing receives at a peer's port. */
+    /** Called when ICMP reports that no program receives at a peer's port. */
     void unreachable(InetSocketAddress peer);
   }
 
@@ -35,10 +36,16 @@ public final class UdpPort implements DatagramPort {
 
   private static final boolean LINUX = System.getProperty("os.name").startsWith("Linux");
 
-  /** Connected sockets beside one. Decided: state, and what a program sends commands from. */
+  /**
+   * Maximum number of connected sockets on the address and port of one socket. Decided: one for
+   * state lines, and the others for the ports from which a program sends commands.
+   */
   private static final int MOST_CONNECTED = 8;
 
-  /** Room for a burst of commands while the machine is busy with something else [bytes]. */
+  /**
+   * Size of the receive buffer [bytes]. It holds a burst of commands that arrives while the machine
+   * is busy.
+   */
   private static final int SOCKET_BUFFER = 1 << 18;
 
   private final DatagramChannel channel;
@@ -66,7 +73,7 @@ public final class UdpPort implements DatagramPort {
   /**
    * Opens a socket.
    *
-   * @throws IOException if the address is not of this machine or the port is taken
+   * @throws IOException if the address does not belong to this machine or the port is taken
    */
   public static UdpPort open(InetSocketAddress address) throws IOException {
     DatagramChannel channel = DatagramChannel.open(java.net.StandardProtocolFamily.INET);
@@ -80,7 +87,10 @@ public final class UdpPort implements DatagramPort {
     }
   }
 
-  /** Whether a program has an address, or all addresses with its port. Tries it for a moment. */
+  /**
+   * Returns whether a program has bound an address, or all addresses on the same port. To find out,
+   * this method binds the address briefly.
+   */
   static boolean isTaken(InetSocketAddress address) {
     try (UdpPort probe = open(address)) {
       return probe.address() == null;
@@ -90,10 +100,10 @@ public final class UdpPort implements DatagramPort {
   }
 
   /**
-   * Opens a socket where a person wants one.
+   * Opens a socket at an address that a user requested.
    *
-   * @throws PortTakenException with a sentence, if the address is not of this machine or the port
-   *     cannot be had
+   * @throws PortTakenException if the address does not belong to this machine or the port cannot be
+   *     opened; the message is one sentence
    */
   public static UdpPort bind(InetSocketAddress address) throws PortTakenException {
     try {
@@ -116,9 +126,9 @@ public final class UdpPort implements DatagramPort {
   }
 
   /**
-   * Opens a socket that sends to one peer alone.
+   * Opens a socket that sends to a single peer.
    *
-   * @throws IOException if the address is not of this machine or the port is taken
+   * @throws IOException if the address does not belong to this machine or the port is taken
    */
   public static UdpPort connect(
       InetSocketAddress address, InetSocketAddress peer, UnreachableListener listener)
@@ -146,12 +156,12 @@ public final class UdpPort implements DatagramPort {
   }
 
   /**
-   * Opens a connected socket beside this one, through which everything goes to the peer from now
-   * on, until it is closed. Only Linux gives the connected one what comes from its peer for sure,
-   * so elsewhere there is none. The port stays closed to others: it may be shared just while this
-   * runs.
+   * Opens a connected socket on the same address and port as this one. All datagrams to the peer
+   * are sent through the new socket until it is closed. Only Linux reliably delivers the peer's
+   * datagrams to the connected socket, so this method opens none on other systems. Other programs
+   * still cannot bind the port, because sharing is allowed only during this call.
    *
-   * @return empty where the system has no such thing
+   * @return the socket; empty if the system does not support connected sockets on a shared port
    */
   Optional<UdpPort> beside(InetSocketAddress to, UnreachableListener whom) {
     if (!LINUX) {
@@ -179,8 +189,8 @@ public final class UdpPort implements DatagramPort {
   }
 
   /**
-   * Closes the connected sockets beside this one, but for those to one host: its program may use
-   * some more than once. Of very many, all are closed.
+   * Closes the connected sockets except those to the given host, because a program on that host may
+   * use them again. Closes all of them if there are more than {@link #MOST_CONNECTED}.
    */
   void keepConnected(Optional<InetAddress> host) {
     boolean many = connected.size() > MOST_CONNECTED;
@@ -201,8 +211,8 @@ public final class UdpPort implements DatagramPort {
   }
 
   /**
-   * Lets a selector tell when something has come. From then on nothing blocks: what the system has
-   * no room for is lost.
+   * Registers this port with a selector. From then on, sending does not block: a datagram for which
+   * the system has no buffer space is lost.
    */
   public void register(Selector selector, Object attachment) {
     try {
@@ -214,17 +224,18 @@ public final class UdpPort implements DatagramPort {
   }
 
   /**
-   * Takes what came next. For one thread.
+   * Receives the next datagram. Must be called on one thread only.
    *
-   * @param into is filled from its position on; what it has no room for is cut off
-   * @return who sent it; null if nothing has come
-   * @throws ClosedChannelException if the port was closed
-   * @throws IOException if receiving failed this time
+   * @param into the buffer, which is filled from its position; the part of the datagram that does
+   *     not fit is cut off
+   * @return the sender; null if no datagram is pending
+   * @throws ClosedChannelException if the port has been closed
+   * @throws IOException if this attempt to receive failed
    */
   public InetSocketAddress receive(ByteBuffer into) throws IOException {
     try {
       return (InetSocketAddress) channel.receive(into);
-    } catch (PortUnreachableException e) { // in place of a datagram
+    } catch (PortUnreachableException e) { // thrown instead of receiving a datagram
       peer.ifPresent(listener::unreachable);
       return null;
     }

@@ -5,15 +5,21 @@ import java.util.Optional;
 import java.util.function.Supplier;
 
 /**
- * Notices once that a program of this machine listens for a drone's video that no program has asked
- * for. Like {@link SilenceWatch}, it tries for a moment whether the port is free. For one thread.
+ * Detects that a program on this machine listens for a drone's video that no program has requested.
+ * Like {@link SilenceWatch}, it only probes whether the port is free. Not thread-safe.
  */
 final class VideoWatch {
 
-  /** Looks, one a second, that find a listener before it is reported. Decided. */
+  /**
+   * Number of checks, one per second, that must find a listener before the listener is reported.
+   * Decided.
+   */
   static final int LOOKS_WITH_LISTENER = 8;
 
-  /** Looks after which it stops to try the port, which a program may want later. Decided. */
+  /**
+   * Number of checks after which the port is no longer probed, because a program may need it later.
+   * Decided.
+   */
   static final int LOOKS = 45;
 
   private final Supplier<Optional<InetSocketAddress>> unasked;
@@ -22,16 +28,18 @@ final class VideoWatch {
   private int taken;
 
   /**
-   * @param unasked where the video of a drone would go that is operated from this machine, and has
-   *     not been asked for its video
-   * @param listener is called at most once, on the thread that looks
+   * Creates a watch.
+   *
+   * @param unasked supplies the video address of a drone that is operated from this machine, but
+   *     whose video was not requested
+   * @param listener called at most once, on the thread that calls {@link #look}
    */
   VideoWatch(Supplier<Optional<InetSocketAddress>> unasked, Runnable listener) {
     this.unasked = unasked;
     this.listener = listener;
   }
 
-  /** Looks once more; to be called once a second. */
+  /** Performs one check. Must be called once per second. */
   void look() {
     if (looks >= LOOKS || taken >= LOOKS_WITH_LISTENER) {
       return;

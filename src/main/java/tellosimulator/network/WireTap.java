@@ -1,15 +1,16 @@
 package tellosimulator.network;
 
 import java.net.InetSocketAddress;
-import tellosimulator.command.Peer;
 
 /**
- * Sees each datagram that drones take and send. It is called on the way of the datagram, on
- * whatever thread handles that: it must be quick, and must neither wait nor throw.
+ * A listener that is notified of each datagram that drones send. It is called in the path of the
+ * datagram, on the thread that sends it. Implementations must be quick, and must neither block nor
+ * throw. Received datagrams are reported to {@link tellosimulator.sim.SimListener#onInput} instead.
  */
+@FunctionalInterface
 public interface WireTap {
 
-  /** What a datagram is. */
+  /** The kind of content of a datagram. */
   enum Kind {
     COMMAND("command"),
     REPLY("reply"),
@@ -22,37 +23,21 @@ public interface WireTap {
       this.word = word;
     }
 
-    /** As files have it. */
+    /** Returns the word for this kind in files. */
     public String word() {
       return word;
     }
   }
 
-  /** Looks at nothing. */
-  WireTap NONE =
-      new WireTap() {
-        @Override
-        public void received(int drone, Peer peer, String text) {}
-
-        @Override
-        public void sent(
-            int drone, Kind kind, InetSocketAddress from, InetSocketAddress to, byte[] bytes) {}
-      };
+  /** A tap that does nothing. */
+  WireTap NONE = (drone, kind, from, to, bytes) -> {};
 
   /**
-   * A datagram came to a drone, and is taken next. What was turned away before is not told.
+   * Called when a datagram is about to be sent.
    *
-   * @param drone its number, from 1
-   * @param text one character a byte (ISO-8859-1)
-   */
-  void received(int drone, Peer peer, String text);
-
-  /**
-   * A datagram leaves next.
-   *
-   * @param drone its number, from 1
+   * @param drone the drone's number, from 1
    * @param from the drone's own address
-   * @param bytes must not be changed; nobody changes them afterwards
+   * @param bytes the content; must not be modified, and does not change afterwards
    */
   void sent(int drone, Kind kind, InetSocketAddress from, InetSocketAddress to, byte[] bytes);
 }

@@ -1,11 +1,11 @@
 /**
- * UDP: commands in, replies and state lines out.
+ * Receives commands and sends replies and state lines over UDP.
  *
- * <p>{@link tellosimulator.network.DroneNetwork} opens the sockets; a {@link
- * tellosimulator.network.CommandConnection} receives on a thread for each socket; {@link
- * tellosimulator.network.CommandResponseSender} and {@link tellosimulator.network.StateConnection}
- * send on the simulation thread. {@link tellosimulator.network.DatagramPort} hides the socket, so
- * that tests need none. The package imports {@code sim} and what that stands on. What a command
- * means is not its job.
+ * <p>{@link tellosimulator.network.DroneNetwork} opens the sockets. A {@link
+ * tellosimulator.network.Receiver} reads all of them on one thread, and passes each datagram to the
+ * {@link tellosimulator.network.CommandConnection} of its socket. {@link
+ * tellosimulator.network.DatagramSender} sends on the simulation thread. {@link
+ * tellosimulator.network.DatagramPort} hides the socket, so that tests need no socket. The package
+ * imports {@code sim} and the packages below it. Other packages define what a command means.
  */
 package tellosimulator.network;

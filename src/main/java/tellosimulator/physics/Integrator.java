@@ -5,20 +5,24 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.Motion;
 
-/** Semi-implicit Euler: velocities first, then positions by the new velocities. Immutable. */
+/**
+ * The semi-implicit Euler method. It updates the velocities first, and then the positions with the
+ * new velocities. Immutable.
+ */
 final class Integrator {
 
   /**
-   * Deceleration for each unit of speed [1/s], by linear and quadratic drag, at an airspeed [m/s].
+   * Returns the deceleration per unit of speed [1/s] that linear and quadratic drag cause at a
+   * given airspeed [m/s].
    */
   static double drag(Vec3 airspeed) {
     return DroneSpec.LINEAR_DRAG + DroneSpec.QUADRATIC_DRAG * airspeed.norm();
   }
 
   /**
-   * The motion a step later.
+   * Returns the motion after a step.
    *
-   * @param seconds length of the step
+   * @param seconds the length of the step [s]
    */
   Motion step(Motion motion, Forces forces, double seconds) {
     Vec3 airspeed = motion.velocity().minus(forces.wind());
@@ -32,11 +36,11 @@ final class Integrator {
   }
 
   /**
-   * What acts on the drone in a step.
+   * The thrust, the angular acceleration and the wind that act on the drone in a step.
    *
-   * @param thrust along the body's z axis, for each unit of mass [m/s²]
-   * @param angular acceleration in the body frame [rad/s²]
-   * @param wind velocity of the air in the room frame [m/s]
+   * @param thrust the thrust along the body's z axis, per unit of mass [m/s²]
+   * @param angular the angular acceleration in the body frame [rad/s²]
+   * @param wind the velocity of the air in the room frame [m/s]
    */
   record Forces(double thrust, Vec3 angular, Vec3 wind) {}
 }

@@ -3,35 +3,41 @@ package tellosimulator.physics;
 import tellosimulator.math.Vec3;
 
 /**
- * Estimates how the wind pushes a drone: by what its accelerometer feels beyond its own thrust and
- * the drag of still air. The estimate is late, so gusts still move the drone. In still air it is
- * exactly zero. For one drone and one thread.
+ * Estimates the push of the wind: the acceleration that the drone's own thrust and the drag of
+ * still air do not explain. The estimate lags, so gusts still move the drone. In still air, the
+ * estimate decays to exactly zero. One instance per drone; not thread-safe.
  */
 final class WindEstimator {
 
-  /** How late it is [s]. Assumed: as long as a drone takes to lean against a push. */
+  /**
+   * Time constant of the lag [s]. Assumed: the time that a drone needs to tilt against the wind.
+   */
   private static final double LAG = 0.4;
 
-  /** A push below this is forgotten when the air stands still [m/s²]. Decided: nobody feels it. */
+  /** An estimate smaller than this is set to zero [m/s²]. Decided: too small to have an effect. */
   private static final double NOTHING = 1e-6;
 
   private Vec3 push = Vec3.ZERO;
 
-  /** The estimated acceleration by the wind, room frame [m/s²]. */
+  /** Returns the estimated acceleration caused by the wind, in the room frame [m/s²]. */
   Vec3 push() {
     return push;
   }
 
-  /** Stands on something, where the wind does not move it. */
+  /**
+   * Resets the estimate. Called while the drone is on the ground, because wind does not move it
+   * there.
+   */
   void reset() {
     push = Vec3.ZERO;
   }
 
   /**
-   * Moves the estimate on by a step.
+   * Updates the estimate by a step.
    *
-   * @param velocity of the drone, room frame [m/s]
-   * @param wind velocity of the air, room frame [m/s]
+   * @param velocity the velocity of the drone, in the room frame [m/s]
+   * @param wind the velocity of the air, in the room frame [m/s]
+   * @param seconds the length of the step [s]
    */
   void update(Vec3 velocity, Vec3 wind, double seconds) {
     if (wind.equals(Vec3.ZERO) && push.equals(Vec3.ZERO)) {

@@ -1,10 +1,10 @@
 /**
- * How a drone moves.
+ * The dynamics of a drone.
  *
- * <p>{@link tellosimulator.physics.QuadcopterDynamics} turns a motion and a {@link
- * tellosimulator.physics.Setpoint} into the motion a step later: outer loops for position and
- * velocity, an inner loop for the attitude, and the integrator. It runs on the simulation thread.
- * The package imports {@code model}, {@code time} and {@code math}. What a drone shall do is not
- * its job, nor what stands in its way.
+ * <p>{@link tellosimulator.physics.QuadcopterDynamics} computes the motion after a step from the
+ * current motion and a {@link tellosimulator.physics.Setpoint}. The computation consists of outer
+ * loops for position and velocity, an inner loop for the attitude, and an integrator. It runs on
+ * the simulation thread. The package imports {@code model}, {@code time} and {@code math}. Other
+ * packages contain the flight logic and the collisions.
  */
 package tellosimulator.physics;

@@ -3,7 +3,9 @@ package tellosimulator.profile;
 import java.util.Locale;
 import tellosimulator.math.Vec3;
 
-/** Which product is simulated; a client sees the difference in what is known and reported. */
+/**
+ * The simulated product. It determines which commands the drone knows and which values it reports.
+ */
 public enum Profile {
   /** Tello EDU, firmware 02.04: SDK 2.0, mission pads, retransmission header. */
   EDU(Sdk.SDK_2_0, "TELLO"),
@@ -24,41 +26,43 @@ public enum Profile {
     return sdk;
   }
 
-  /** Reply to {@code hardware?}. Documented: SDK 3.0 User Guide. */
+  /** Returns the reply to {@code hardware?}. Documented: SDK 3.0 User Guide. */
   public String hardware() {
     return hardware;
   }
 
-  /** Whether commands that came with {@code since} are known. */
+  /** Whether the product knows the commands that were introduced with {@code since}. */
   public boolean knows(Sdk since) {
     return sdk.compareTo(since) >= 0;
   }
 
   /**
-   * Whether it sees mission pads, reports them in the state line and takes the {@code Re} header.
-   * Measured: state lines of white Tellos begin with {@code pitch}; the header is the EDU's.
+   * Whether the product detects mission pads, reports them in the state line and accepts the {@code
+   * Re} header. Measured: the state lines of white Tellos begin with {@code pitch}, and the header
+   * is a feature of the EDU.
    */
   public boolean hasPads() {
     return this != TELLO;
   }
 
   /**
-   * What {@code mpry} says without a pad: pitch, yaw and roll [degrees]. Measured: -1 with an EDU
-   * (FHNW report 2020, tello-edu-rs); documented: 0 (SDK 3.0 User Guide).
+   * Returns the value of {@code mpry} while no pad is in sight: pitch, yaw and roll [degrees].
+   * Measured: -1 with an EDU (FHNW report 2020, tello-edu-rs); documented: 0 (SDK 3.0 User Guide).
    */
   public Vec3 attitudeWithoutPad() {
     return sdk == Sdk.SDK_3_0 ? Vec3.ZERO : new Vec3(-1, -1, -1);
   }
 
   /**
-   * Whether an unknown command is echoed by its first word only, rather than whole. Measured: logs
-   * of white Tellos (DJITelloPy issues 144 and 219); of an EDU: FHNW report 2020.
+   * Whether the drone echoes only the first word of an unknown command, not the whole command.
+   * Measured: white Tellos echo the first word (logs in DJITelloPy issues 144 and 219); an EDU
+   * echoes the whole command (FHNW report 2020).
    */
   public boolean echoesFirstWord(Behavior behavior) {
     return this == TELLO && behavior == Behavior.MEASURED;
   }
 
-  /** The word that chooses it on the command line. */
+  /** Returns the word that selects this product on the command line. */
   public String option() {
     return name().toLowerCase(Locale.ROOT);
   }

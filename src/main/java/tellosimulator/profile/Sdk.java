@@ -1,6 +1,6 @@
 package tellosimulator.profile;
 
-/** The generations of the drone's text interface, oldest first. */
+/** The versions of the drone's text protocol, oldest first. */
 public enum Sdk {
   SDK_1_3("1.3"),
   SDK_2_0("2.0"),
@@ -12,7 +12,7 @@ public enum Sdk {
     this.version = version;
   }
 
-  /** As the vendor's guides write it. */
+  /** Returns the version in the notation of the vendor's guides. */
   public String version() {
     return version;
   }

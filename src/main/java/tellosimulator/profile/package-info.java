@@ -1,9 +1,9 @@
 /**
- * Which drone is simulated, and after which account of it.
+ * The simulated product and the reference model that it follows.
  *
- * <p>{@link tellosimulator.profile.Profile} is the product; {@link tellosimulator.profile.Behavior}
- * the account, as a table of values. Both are immutable and for any thread. The package imports
- * {@code math} at the most. Constants that are the same in every profile and behaviour are not its
- * job: they stand in {@code model.DroneSpec}.
+ * <p>{@link tellosimulator.profile.Profile} is the product. {@link tellosimulator.profile.Behavior}
+ * is the reference model, as a table of values. Both are immutable. The package imports only {@code
+ * math}. Constants that are the same in every profile and behaviour belong in {@code
+ * model.DroneSpec} instead.
  */
 package tellosimulator.profile;

@@ -6,17 +6,21 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.StandardProtocolFamily;
 import java.nio.channels.DatagramChannel;
+import java.util.EnumMap;
+import java.util.Map;
 import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.network.UdpPort;
+import tellosimulator.network.WireTap.Kind;
 import tellosimulator.sim.SimConfig.StreamPorts;
 
 /**
- * Where the drone's state and video come in: at the one address of this machine from which it is
- * reached, so that other programs may have these ports at other addresses. That changes when the
- * machine joins another network. For one thread, but for {@link #streamPorts}.
+ * The sockets that receive the drone's state and video. They are bound only to the local address
+ * from which this machine reaches the drone, so that other programs may use the same ports at other
+ * addresses. That address changes when the machine joins another network. Not thread-safe, except
+ * for {@link #streamPorts}.
  */
 final class DronePorts implements AutoCloseable {
 
@@ -25,8 +29,7 @@ final class DronePorts implements AutoCloseable {
   private final InetSocketAddress drone;
   private final StreamPorts wanted;
   private Optional<InetAddress> local = Optional.empty();
-  private Optional<UdpPort> state = Optional.empty();
-  private Optional<UdpPort> video = Optional.empty();
+  private final Map<Kind, UdpPort> ports = new EnumMap<>(Kind.class);
   private volatile StreamPorts streamPorts = new StreamPorts(0, 0);
   private boolean lostTold;
 
@@ -35,25 +38,22 @@ final class DronePorts implements AutoCloseable {
     this.wanted = wanted;
   }
 
-  Optional<UdpPort> state() {
-    return state;
+  /** The open sockets, by the kind of datagrams that they receive. */
+  Map<Kind, UdpPort> ports() {
+    return ports;
   }
 
-  Optional<UdpPort> video() {
-    return video;
-  }
-
-  /** Which ports these are; 0 while there are none. */
+  /** The ports of the state and video sockets; 0 while no socket is open. Thread-safe. */
   StreamPorts streamPorts() {
     return streamPorts;
   }
 
   /**
-   * Opens both sockets, if this machine reaches the drone from another address than before. Where
-   * there is no way to it, they stay as they were.
+   * Opens both sockets if this machine now reaches the drone from another address. If there is no
+   * route to the drone, the sockets are left unchanged.
    *
-   * @return whether they are new
-   * @throws PortTakenException if one cannot be had; then there are none
+   * @return whether new sockets were opened
+   * @throws PortTakenException if a socket cannot be opened; no socket is open afterwards
    */
   boolean follow() throws PortTakenException {
     Optional<InetAddress> now = source(drone);
@@ -69,31 +69,35 @@ final class DronePorts implements AutoCloseable {
     close();
     InetAddress host = now.get();
     try {
-      state = Optional.of(open(host, wanted.statePort(), "state", "--state-port"));
-      video = Optional.of(open(host, wanted.videoPort(), "video", "--video-port"));
+      ports.put(Kind.STATE, open(host, wanted.statePort(), Kind.STATE));
+      ports.put(Kind.VIDEO, open(host, wanted.videoPort(), Kind.VIDEO));
     } catch (PortTakenException e) {
       close();
       throw e;
     }
-    streamPorts = new StreamPorts(state.get().address().getPort(), video.get().address().getPort());
+    streamPorts = new StreamPorts(number(Kind.STATE), number(Kind.VIDEO));
     local = now;
     LOG.debug("The drone is reached from {}", host.getHostAddress());
     return true;
   }
 
-  private static UdpPort open(InetAddress host, int port, String what, String option)
-      throws PortTakenException {
+  private int number(Kind kind) {
+    return ports.get(kind).address().getPort();
+  }
+
+  private static UdpPort open(InetAddress host, int port, Kind kind) throws PortTakenException {
     InetSocketAddress address = new InetSocketAddress(host, port);
     try {
       return UdpPort.open(address);
     } catch (IOException e) {
-      throw PortTakenException.takenFromProxy(address, what, option, e);
+      String option = "--" + kind.word() + "-port";
+      throw PortTakenException.takenFromProxy(address, kind.word(), option, e);
     }
   }
 
   /**
-   * The address of this machine from which datagrams go there; empty if there is no way. Asks the
-   * system alone: nothing is sent.
+   * Returns the address of this machine from which datagrams to the target are sent; empty if there
+   * is no route. The method only queries the system and sends nothing.
    */
   private static Optional<InetAddress> source(InetSocketAddress to) {
     try (DatagramChannel probe = DatagramChannel.open(StandardProtocolFamily.INET)) {
@@ -107,10 +111,8 @@ final class DronePorts implements AutoCloseable {
 
   @Override
   public void close() {
-    state.ifPresent(UdpPort::close);
-    video.ifPresent(UdpPort::close);
-    state = Optional.empty();
-    video = Optional.empty();
+    ports.values().forEach(UdpPort::close);
+    ports.clear();
     local = Optional.empty();
     streamPorts = new StreamPorts(0, 0);
   }

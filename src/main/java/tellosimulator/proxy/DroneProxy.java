@@ -9,8 +9,8 @@ import tellosimulator.recording.DroneRecorder;
 import tellosimulator.sim.SimConfig.StreamPorts;
 
 /**
- * Takes commands in the place of a real drone, and passes them to it and back what it sends, until
- * it is closed. For any thread.
+ * Accepts commands in place of a real drone, forwards them to the drone, and forwards the drone's
+ * datagrams back to the operators. The proxy runs until it is closed. Thread-safe.
  */
 public final class DroneProxy implements AutoCloseable {
 
@@ -26,19 +26,20 @@ public final class DroneProxy implements AutoCloseable {
   }
 
   /**
-   * Opens the sockets and begins.
+   * Opens the sockets and starts to forward datagrams.
    *
-   * @param recorder is told what passes, and closed with this
-   * @throws PortTakenException if an address or port cannot be had; then the recorder is closed
+   * @param recorder notified of all traffic, and closed with the proxy
+   * @throws PortTakenException if an address or port cannot be opened; the recorder is closed in
+   *     this case
    */
   public static DroneProxy start(ProxyPlan plan, DroneRecorder recorder) throws PortTakenException {
     return start(plan, recorder, Relay.Polling.DEFAULT);
   }
 
   /**
-   * The same.
+   * Opens the sockets and starts to forward datagrams.
    *
-   * @param polling how it notices that this machine has joined another network
+   * @param polling how the proxy detects that this machine has joined another network
    */
   static DroneProxy start(ProxyPlan plan, DroneRecorder recorder, Relay.Polling polling)
       throws PortTakenException {
@@ -50,24 +51,30 @@ public final class DroneProxy implements AutoCloseable {
     }
   }
 
-  /** Where it takes commands. */
+  /** The addresses where the proxy accepts commands. */
   List<InetSocketAddress> addresses() {
     return relay.addresses();
   }
 
-  /** The ports of this machine to which the drone sends; 0 while none can be reached by it. */
+  /**
+   * The ports of this machine to which the drone sends; 0 while the drone cannot reach this
+   * machine.
+   */
   public StreamPorts streamPorts() {
     return relay.streamPorts();
   }
 
-  /** The line that says that it is ready, as a simulator with one drone says it. */
+  /**
+   * The line announcing that the proxy is ready. It has the form of the line that a simulator with
+   * one drone prints.
+   */
   public String ready() {
     return addresses().stream()
         .map(address -> address.getAddress().getHostAddress() + ":" + address.getPort())
         .collect(Collectors.joining(", ", "ready: drone 1 at ", ""));
   }
 
-  /** Ends it, and then the recording. */
+  /** Stops the proxy and then closes the recording. */
   @Override
   public synchronized void close() {
     if (closed) {

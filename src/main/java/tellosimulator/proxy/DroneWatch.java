@@ -5,17 +5,23 @@ import java.util.OptionalLong;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Says once when a drone does not answer, and when it does again. For one thread. */
+/** Logs once that a drone does not answer, and once that it answers again. Not thread-safe. */
 final class DroneWatch {
 
   private static final Logger LOG = LoggerFactory.getLogger(DroneWatch.class);
 
-  /** How long a command may wait for the first sign of life [ns]. Decided. */
+  /**
+   * Time without a datagram from the drone, counted from a command, after which the drone counts as
+   * not answering [ns]. Decided.
+   */
   private static final long PATIENCE = 5_000_000_000L;
 
   private final InetSocketAddress drone;
 
-  /** When the first command was sent that nothing has come after; empty if there is none. */
+  /**
+   * The time of the first command since the last datagram from the drone; empty if no command has
+   * been sent since then.
+   */
   private OptionalLong waiting = OptionalLong.empty();
 
   private boolean told;
@@ -24,14 +30,18 @@ final class DroneWatch {
     this.drone = drone;
   }
 
-  /** A command was sent at a moment [ns]. */
+  /**
+   * Called when a command has been sent.
+   *
+   * @param nanos the time of sending [ns]
+   */
   void commanded(long nanos) {
     if (waiting.isEmpty()) {
       waiting = OptionalLong.of(nanos);
     }
   }
 
-  /** Something came from the drone. */
+  /** Called when a datagram has arrived from the drone. */
   void heard() {
     waiting = OptionalLong.empty();
     if (told) {
@@ -40,7 +50,11 @@ final class DroneWatch {
     }
   }
 
-  /** Time passes; now is [ns]. */
+  /**
+   * Advances the time.
+   *
+   * @param nanos the new time [ns]
+   */
   void tick(long nanos) {
     if (!told && waiting.isPresent() && nanos - waiting.getAsLong() >= PATIENCE) {
       told = true;

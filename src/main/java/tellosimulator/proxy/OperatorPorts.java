@@ -10,14 +10,17 @@ import org.slf4j.LoggerFactory;
 import tellosimulator.network.UdpPort;
 
 /**
- * For each place that commands come from a socket towards the drone, so that replies find their way
- * back; the drone sees one host. For one thread.
+ * Manages the sockets towards the drone, one for each source of commands, so that replies can be
+ * routed back. The drone still sees a single host. Not thread-safe.
  */
 final class OperatorPorts implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(OperatorPorts.class);
 
-  /** Sockets at a time; beyond that, the one that was silent longest is closed. Decided. */
+  /**
+   * Maximum number of sockets. When it is exceeded, the socket that has been idle longest is
+   * closed. Decided.
+   */
   private static final int MOST = 64;
 
   private boolean failureTold;
@@ -41,8 +44,9 @@ final class OperatorPorts implements AutoCloseable {
   }
 
   /**
-   * The socket for an operator, which is opened if there is none; empty if there can be none, which
-   * is told once until there can be one again.
+   * Returns the socket for an operator, opening it if necessary; empty if it cannot be opened.
+   * After a failure has been logged, further failures are not logged until a socket has been opened
+   * successfully.
    */
   Optional<UdpPort> of(InetSocketAddress operator, Opening opening) {
     UdpPort known = ports.get(operator);

@@ -7,13 +7,13 @@ import tellosimulator.network.LocalNetworks;
 import tellosimulator.sim.SimConfig.StreamPorts;
 
 /**
- * Which drone is passed on, and where. Immutable; for any thread.
+ * The addresses of a proxied drone. Immutable.
  *
- * @param drone where the real drone takes commands
- * @param here where this machine takes them in its place, as of a drone 1
- * @param towardsDrone the ports of this machine to which the drone sends; 0 for one that the system
- *     chooses
- * @param towardsOperator the ports of the operator's machine to which that is passed on
+ * @param drone the address where the real drone accepts commands
+ * @param here the addresses where this machine accepts commands in place of the drone, as drone 1
+ * @param towardsDrone the ports of this machine to which the drone sends; 0 lets the system choose
+ * @param towardsOperator the ports of the operator's machine to which the drone's datagrams are
+ *     forwarded
  */
 public record ProxyPlan(
     InetSocketAddress drone,
@@ -21,7 +21,7 @@ public record ProxyPlan(
     StreamPorts towardsDrone,
     StreamPorts towardsOperator) {
 
-  /** Where commands are taken on this machine now. */
+  /** Returns the addresses where this machine currently accepts commands. */
   List<InetSocketAddress> addresses(LocalNetworks networks) {
     return here.addresses(1, networks);
   }

@@ -6,16 +6,16 @@ import java.nio.ByteBuffer;
 import java.nio.channels.ClosedChannelException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import tellosimulator.command.CommandSyntax;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.network.LocalNetworks;
@@ -28,21 +28,20 @@ import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.time.WallTime;
 
 /**
- * Passes datagrams between operators and a drone. Each goes on at once, as it came; the recorder is
- * told afterwards. Nothing that arrives, or does not arrive, ends it. For one thread, but for
- * {@link #addresses}, {@link #streamPorts} and {@link #end}.
+ * Forwards datagrams between operators and a drone. Each datagram is forwarded immediately and
+ * unchanged, and then passed to the recorder. Neither an unexpected datagram nor a lack of
+ * datagrams can stop the relay. Not thread-safe, except for {@link #addresses}, {@link
+ * #streamPorts} and {@link #end}.
  */
 final class Relay implements Agent {
 
   private static final Logger LOG = LoggerFactory.getLogger(Relay.class);
 
-  /** The largest datagram of UDP [bytes]. Documented: RFC 768. */
+  /** Size of the receive buffer, enough for any UDP datagram [bytes]. Documented: RFC 768. */
   private static final int BUFFER = 65_535;
 
-  /** Datagrams that are read from a socket before the next one has its turn. Decided. */
+  /** Maximum number of datagrams read from one socket before the next socket is read. Decided. */
   private static final int MOST_OF_PORT = 64;
-
-  private static final byte[] COMMAND = "command".getBytes(StandardCharsets.US_ASCII);
 
   private final ErrorPolicy failed = ErrorPolicy.goOn("A datagram could not be passed on");
   private final ProxyPlan plan;
@@ -57,27 +56,27 @@ final class Relay implements Agent {
   private LocalNetworks networks;
   private long looked = WallTime.nanoTime();
 
-  /** Who sent {@code command} last: state and video go there. */
+  /** The peer that sent {@code command} last. State and video are forwarded to this peer. */
   private Optional<Peer> operator = Optional.empty();
 
   private Optional<IOException> failure = Optional.empty();
   private boolean foreignTold;
 
-  /** What could not be had at the last look, in sentences. */
+  /** Messages about the sockets that could not be opened during the last check. */
   private List<String> obstacles = List.of();
 
   private volatile boolean closed;
   private volatile List<InetSocketAddress> addresses = List.of();
 
   /**
-   * How it notices that this machine has joined another network.
+   * How the relay detects that this machine has joined another network.
    *
-   * @param networks finds this machine's addresses
-   * @param periodMs between two looks [ms]
+   * @param networks looks up this machine's addresses
+   * @param periodMs interval between lookups [ms]
    */
   record Polling(Supplier<LocalNetworks> networks, long periodMs) {
 
-    /** Once a second. Decided. */
+    /** Polls once a second. Decided. */
     static final Polling DEFAULT = new Polling(LocalNetworks::look, 1000);
 
     private long periodNanos() {
@@ -85,10 +84,10 @@ final class Relay implements Agent {
     }
   }
 
-  /** A socket, and what becomes of the datagrams that come to it. */
+  /** A socket and the handler for its datagrams. */
   private record Source(UdpPort port, Taker taker) {}
 
-  /** Takes a datagram that came. */
+  /** Handles a received datagram. */
   @FunctionalInterface
   private interface Taker {
     void take(InetSocketAddress sender, byte[] bytes, long nanos);
@@ -108,7 +107,7 @@ final class Relay implements Agent {
   /**
    * Opens the sockets.
    *
-   * @throws PortTakenException if one cannot be had; then none is open
+   * @throws PortTakenException if a socket cannot be opened; no socket is open afterwards
    */
   static Relay open(ProxyPlan plan, DroneRecorder recorder, Polling polling)
       throws PortTakenException {
@@ -116,7 +115,8 @@ final class Relay implements Agent {
     try {
       relay = new Relay(plan, recorder, polling, Selector.open());
     } catch (IOException e) {
-      throw new IllegalStateException("the system lets nobody wait for datagrams", e);
+      throw new IllegalStateException(
+          "the system cannot provide a selector for receiving datagrams", e);
     }
     try {
       for (InetSocketAddress wanted : relay.missing()) {
@@ -130,21 +130,21 @@ final class Relay implements Agent {
     }
   }
 
-  /** Where it takes commands. For any thread. */
+  /** The addresses where the relay accepts commands. Thread-safe. */
   List<InetSocketAddress> addresses() {
     return addresses;
   }
 
-  /** The ports to which the drone sends; 0 while there is no way to it. For any thread. */
+  /** The ports to which the drone sends; 0 while there is no route to it. Thread-safe. */
   StreamPorts streamPorts() {
     return towardsDrone.streamPorts();
   }
 
-  /** Ends it after what it does now. For any thread. */
+  /** Stops the relay after the work in progress. Thread-safe. */
   void end() {
     closed = true;
-    synchronized (this) { // not on the selector, which locks itself while it waits
-      if (selector.isOpen()) { // one that is closed must not be woken
+    synchronized (this) { // not on the selector, which is locked while it waits
+      if (selector.isOpen()) { // a closed selector must not be woken
         selector.wakeup();
       }
     }
@@ -168,7 +168,7 @@ final class Relay implements Agent {
     return closed ? Outcome.FINISHED : Outcome.WORKED;
   }
 
-  /** A socket that fails holds up no other. */
+  /** Reads a socket; a failure does not affect the other sockets. */
   private void read(SelectionKey key) {
     Source source = (Source) key.attachment();
     try {
@@ -215,13 +215,11 @@ final class Relay implements Agent {
     recorder.command(nanos, sender, plan.drone(), bytes);
   }
 
-  /** Whether it is {@code command}, perhaps with the end of a line. */
+  /** Returns whether a datagram consists of {@code command}, possibly with a line end. */
   private static boolean isCommand(byte[] bytes) {
-    int end = bytes.length;
-    while (end > 0 && bytes[end - 1] <= ' ') {
-      end--;
-    }
-    return Arrays.equals(bytes, 0, end, COMMAND, 0, COMMAND.length);
+    return WireText.decode(bytes)
+        .replaceFirst("[\\x00- ]+$", "")
+        .equals(CommandSyntax.COMMAND.verb());
   }
 
   private UdpPort replyPort(UdpPort port, InetSocketAddress asked) throws IOException {
@@ -265,7 +263,7 @@ final class Relay implements Agent {
     recorder.sent(nanos, kind, sender, place, bytes);
   }
 
-  /** Whatever port it sends from. */
+  /** Returns whether a datagram comes from the drone, from any of its ports. */
   private boolean isDrone(InetSocketAddress sender) {
     boolean drone = sender.getAddress().equals(plan.drone().getAddress());
     if (drone) {
@@ -280,22 +278,10 @@ final class Relay implements Agent {
     port.register(selector, new Source(port, taker));
   }
 
-  private void receiveFromDrone() {
-    towardsDrone
-        .state()
-        .ifPresent(
-            port ->
-                receive(port, (sender, bytes, nanos) -> push(Kind.STATE, sender, bytes, nanos)));
-    towardsDrone
-        .video()
-        .ifPresent(
-            port ->
-                receive(port, (sender, bytes, nanos) -> push(Kind.VIDEO, sender, bytes, nanos)));
-  }
-
   /**
-   * This machine may have joined another network, such as the drone's. What cannot be had is tried
-   * again at each look, and told once until it is had.
+   * Checks whether this machine has joined another network, such as the drone's. At each check,
+   * sockets that could not be opened before are tried again. A socket that fails is reported once.
+   * It is reported again only if it fails after having been opened successfully.
    */
   void look() {
     List<String> found = new ArrayList<>();
@@ -305,7 +291,7 @@ final class Relay implements Agent {
     } catch (PortTakenException e) {
       found.add(e.getMessage());
     }
-    if (moved || plan.here().reach() == Reach.NETWORK) { // some systems take long to say
+    if (moved || plan.here().reach() == Reach.NETWORK) { // the lookup is slow on some systems
       networks = polling.networks().get();
     }
     for (InetSocketAddress wanted : missing()) {
@@ -321,16 +307,20 @@ final class Relay implements Agent {
     obstacles = found;
   }
 
-  /** Whether the way to the drone is another one now. */
+  /** Opens new sockets if the route to the drone has changed; returns whether it has. */
   private boolean follow() throws PortTakenException {
     boolean moved = towardsDrone.follow();
     if (moved) {
-      receiveFromDrone();
+      towardsDrone
+          .ports()
+          .forEach(
+              (kind, port) ->
+                  receive(port, (from, bytes, nanos) -> push(kind, from, bytes, nanos)));
     }
     return moved;
   }
 
-  /** Where commands are wanted and not taken yet. */
+  /** Returns the addresses where commands are to be accepted but no socket is open yet. */
   private List<InetSocketAddress> missing() {
     return plan.addresses(networks).stream()
         .filter(
@@ -340,7 +330,10 @@ final class Relay implements Agent {
         .toList();
   }
 
-  /** Takes commands there; where the system chose a port for the first address, at the same one. */
+  /**
+   * Accepts commands at an address. If the system chose the port of the first address, the other
+   * addresses use the same port.
+   */
   private void listen(InetSocketAddress wanted) throws PortTakenException {
     boolean chosen = wanted.getPort() == 0 && !listening.isEmpty();
     int number = chosen ? listening.get(0).address().getPort() : wanted.getPort();

@@ -1,10 +1,10 @@
 /**
- * Stands between operator programs and a real drone, and records what passes.
+ * A proxy that forwards and records the traffic between operator programs and a real drone.
  *
  * <p>{@link tellosimulator.proxy.DroneProxy} opens the sockets that {@link
- * tellosimulator.proxy.ProxyPlan} asks for; {@code Relay} passes each datagram on unchanged, on one
- * thread, and tells the recorder afterwards. The package imports {@code recording} and what that
- * stands on. What commands mean is not its job: it knows {@code command} alone, whose sender gets
- * state and video.
+ * tellosimulator.proxy.ProxyPlan} describes. On one thread, {@code Relay} forwards each datagram
+ * unchanged, and then passes it to the recorder. The package imports {@code recording} and the
+ * packages below it. It does not interpret commands, except that it recognizes {@code command},
+ * because the sender of that command receives state and video.
  */
 package tellosimulator.proxy;

@@ -1,87 +1,100 @@
 package tellosimulator.recording;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
-import tellosimulator.command.WireText;
 import tellosimulator.recording.RecordedCommand.Outcome;
+import tellosimulator.words.Phrase;
 
 /**
- * Finds out which reply belongs to which command. Events say it; of the wire alone it follows by
- * {@link WirePairing}. For one thread; each recording needs its own.
+ * Matches replies to commands. An event names the command that it concerns. In recordings that
+ * contain only datagrams, {@link WirePairing} infers the command of each reply. Not thread-safe;
+ * each recording needs its own instance.
  */
 final class CommandPairing {
 
-  /** A command's drone and text. */
-  private record Sent(int drone, String text) {}
+  /** Identifies a command by the drone's number and the command's number. */
+  private record Key(int drone, int number) {}
+
+  /**
+   * Maximum number of distinct texts in the cache. Decided: more than a program uses, unless its
+   * commands contain counters.
+   */
+  private static final int MOST_TEXTS = 10_000;
+
+  /** The prefixes of replies with which a drone refuses a command. */
+  private static final List<String> REFUSALS =
+      List.of("error", "led error", "matrix error", "out of range", "unknown command");
+
+  private static final Phrase NO_REASON = Phrase.name("");
 
   private final List<RecordedCommand> commands = new ArrayList<>();
 
-  /** Indexes of the commands that wait for what becomes of them, by events. */
-  private final Map<Sent, Deque<Integer>> open = new HashMap<>();
+  /** Indexes of the commands that were found in events. */
+  private final Map<Key, Integer> indexes = new HashMap<>();
 
   private final Map<Integer, WirePairing> wire = new HashMap<>();
 
-  /** Takes the next event. */
+  /** Cache of command texts, because programs send the same texts repeatedly. */
+  private final Map<String, String> texts = new HashMap<>();
+
+  /** Processes the next event. */
   void take(RecordedEvent event) {
     if (event.drone().isEmpty() || event.about().command().isEmpty()) {
       return;
     }
     int drone = event.drone().getAsInt();
-    RecordedEvent.About about = event.about();
     switch (event.kind()) {
-      case "command" ->
-          waiting(drone, about.command()).addLast(begin(drone, event.time(), about.command()));
+      case "command" -> begin(drone, event);
       case "reply" -> end(drone, event, Outcome.ANSWERED);
       case "refused" -> end(drone, event, Outcome.REFUSED);
       case "failed" -> end(drone, event, Outcome.FAILED);
       case "ignored" -> end(drone, event, Outcome.IGNORED);
       case "lost" -> end(drone, event, Outcome.LOST);
       default -> {
-        // it concerns a command, but does not end it
+        // the event concerns a command but does not end it
       }
     }
   }
 
-  private Deque<Integer> waiting(int drone, String text) {
-    return open.computeIfAbsent(new Sent(drone, text), sent -> new ArrayDeque<>());
+  private int begin(int drone, RecordedEvent event) {
+    int index = begin(drone, event.time(), event.about().command());
+    event.about().number().ifPresent(number -> indexes.put(new Key(drone, number), index));
+    return index;
   }
 
-  /** Adds a command, and returns its index. */
+  /** Adds a command and returns its index. */
   private int begin(int drone, double time, String text) {
     commands.add(
-        new RecordedCommand(drone, time, text, Outcome.UNANSWERED, OptionalDouble.empty(), "", ""));
+        new RecordedCommand(
+            drone, time, once(text), Outcome.UNANSWERED, OptionalDouble.empty(), "", NO_REASON));
     return commands.size() - 1;
+  }
+
+  private String once(String text) {
+    return texts.size() < MOST_TEXTS
+        ? texts.computeIfAbsent(text, each -> each)
+        : texts.getOrDefault(text, text);
   }
 
   private void end(int drone, RecordedEvent event, Outcome outcome) {
     RecordedEvent.About about = event.about();
-    Deque<Integer> waiting = waiting(drone, about.command());
-    boolean atOnce = outcome == Outcome.REFUSED || WireText.isUnanswered(about.command());
-    Integer index = atOnce ? waiting.pollLast() : waiting.pollFirst();
-    if (index == null) { // such as one that never arrived
-      index = begin(drone, event.time(), about.command());
-    }
+    Key key = new Key(drone, about.number().orElse(0));
+    int index =
+        indexes.containsKey(key) ? indexes.get(key) : begin(drone, event); // e.g. if it was lost
     RecordedCommand command = commands.get(index);
+    if (command.outcome() == Outcome.ANSWERED && outcome == Outcome.ANSWERED) {
+      return; // the second reply to a stop
+    }
     boolean replied = outcome != Outcome.IGNORED && outcome != Outcome.LOST;
-    commands.set(
-        index,
-        new RecordedCommand(
-            drone,
-            command.sent(),
-            command.text(),
-            outcome,
-            replied ? OptionalDouble.of(event.time()) : OptionalDouble.empty(),
-            about.reply(),
-            about.reason()));
+    OptionalDouble answered = replied ? OptionalDouble.of(event.time()) : OptionalDouble.empty();
+    commands.set(index, command.ended(outcome, answered, once(about.reply()), about.reason()));
   }
 
-  /** Takes the next line of {@code wire.jsonl}, where there are no events. */
+  /** Processes the next line of {@code wire.jsonl}, for recordings without events. */
   void take(Fields line) {
     int drone = line.whole("drone").orElse(1);
     double time = line.moment("t").orElse(0);
@@ -91,39 +104,25 @@ final class CommandPairing {
       case "command" -> pairing.sent(begin(drone, time, text), time, text);
       case "reply" -> answer(pairing, time, text.stripTrailing());
       default -> {
-        // state and video answer nothing
+        // state and video are not replies
       }
     }
   }
 
   private void answer(WirePairing pairing, double time, String reply) {
-    OptionalInt index = pairing.answered(time, reply);
-    if (index.isPresent()) {
-      RecordedCommand command = commands.get(index.getAsInt());
-      commands.set(
-          index.getAsInt(),
-          new RecordedCommand(
-              command.drone(),
-              command.sent(),
-              command.text(),
-              outcome(reply),
-              OptionalDouble.of(time),
-              reply,
-              ""));
+    OptionalInt found = pairing.answered(time, reply);
+    if (found.isPresent()) {
+      int index = found.getAsInt();
+      OptionalDouble answered = OptionalDouble.of(time);
+      commands.set(index, commands.get(index).ended(outcome(reply), answered, reply, NO_REASON));
     }
   }
 
   private static Outcome outcome(String reply) {
-    boolean refused =
-        reply.startsWith("error")
-            || reply.startsWith("led error")
-            || reply.startsWith("matrix error")
-            || reply.startsWith("out of range")
-            || reply.startsWith("unknown command");
-    return refused ? Outcome.REFUSED : Outcome.ANSWERED;
+    return REFUSALS.stream().anyMatch(reply::startsWith) ? Outcome.REFUSED : Outcome.ANSWERED;
   }
 
-  /** All commands, in the order in which they came. */
+  /** All commands, in order of arrival. */
   List<RecordedCommand> commands() {
     return List.copyOf(commands);
   }

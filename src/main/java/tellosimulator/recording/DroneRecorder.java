@@ -6,51 +6,58 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
+import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
 import tellosimulator.command.WireText;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Progress;
 import tellosimulator.network.WireTap.Kind;
+import tellosimulator.sim.SimInput;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.WallTime;
 import tellosimulator.words.Phrase;
 
 /**
- * Records the flights of a real drone by what passes on the wire, each into a folder of its own.
- * Nothing else is known of it, so a flight goes from the command that lets it take off until three
- * seconds after {@code land} was answered with {@code ok}, after {@code emergency}, or after the
- * takeoff was refused; or until its operator has been silent for long. Seconds are those since the
- * recorder was made.
+ * Records the flights of a real drone from its network traffic. Each flight is recorded into its
+ * own folder. Because only the traffic is known, a flight begins with the takeoff command. The
+ * flight ends three seconds after {@code land} was answered with {@code ok}, after {@code
+ * emergency}, or after the takeoff was refused. It also ends when the operator has been silent for
+ * a minute. Recorded times count from the creation of the recorder.
  *
- * <p>On the thread that tells it what passes it only puts records into a queue. For one thread, but
- * for {@link #close}, which comes last.
+ * <p>The calling thread only adds records to a queue. Not thread-safe, except for {@link #close},
+ * which must be the last call.
  */
 public final class DroneRecorder implements AutoCloseable {
 
-  /** How long is recorded after the drone has come down [ns]. Decided: as for simulated flights. */
+  /**
+   * How long recording continues after the drone has landed [ns]. Decided: as for simulated
+   * flights.
+   */
   private static final long REST = 3_000_000_000L;
 
   /**
-   * Silence of the operator after which the drone has landed by itself [ns]. It does so after 15 s
-   * (documented: SDK 2.0 User Guide); decided: a minute, as no move takes longer.
+   * Silence of the operator after which the drone must have landed by itself [ns]. A drone lands
+   * after 15 s of silence (documented: SDK 2.0 User Guide). Decided: a minute, because no move
+   * takes longer.
    */
   private static final long SILENCE = 60_000_000_000L;
 
-  private static final GoalResult NO_GOALS =
-      new GoalResult(new Progress(Challenge.NONE, List.of(), 0, Optional.empty()), 0);
+  private static final Progress NO_GOALS =
+      new Progress(Challenge.NONE, List.of(), 0, Optional.empty());
 
   private final EntryQueue queue = new EntryQueue();
   private final Worker worker;
   private final long origin = WallTime.nanoTime();
   private boolean flying;
 
-  /** Whether the last takeoff, or the last landing, waits for its reply. */
+  /** Whether the last takeoff has not been answered yet. */
   private boolean takingOff;
 
+  /** Whether the last landing has not been answered yet. */
   private boolean landing;
 
-  /** When it was down [ns]; empty while it flies. */
+  /** Time of landing [ns]; empty while the drone flies. */
   private OptionalLong down = OptionalLong.empty();
 
   private long lastCommand = origin;
@@ -62,21 +69,17 @@ public final class DroneRecorder implements AutoCloseable {
     worker =
         Worker.start(
             "recorder",
-            new RecordingWriter(
-                new RecordingWriter.Sources(queue, new VideoRecorders(1), new InputHistory()),
-                folder,
-                source,
-                told));
+            new RecordingWriter(new RecordingWriter.Sources(queue, 1), folder, source, told));
   }
 
   /**
-   * Waits for the first takeoff.
+   * Starts a recorder that waits for the first takeoff.
    *
-   * @param folder in which there will be a folder for each flight
-   * @param drone its address
-   * @param options words of the command line
-   * @param told takes a sentence for people when a flight cannot be recorded any more; on the
-   *     recorder's thread, and the log has it too
+   * @param folder the folder that will contain a folder for each flight
+   * @param drone the drone's address
+   * @param options the command-line arguments
+   * @param told receives a sentence for users when recording a flight fails; called on the
+   *     recorder's thread. The sentence is also logged
    */
   public static DroneRecorder start(
       RecordingFolder folder, InetAddress drone, List<String> options, Consumer<Phrase> told) {
@@ -84,14 +87,14 @@ public final class DroneRecorder implements AutoCloseable {
   }
 
   /**
-   * An operator's command has passed.
+   * Records an operator's command.
    *
-   * @param nanos when it came, on the clock of {@link WallTime#nanoTime}
+   * @param nanos the time of receipt, on the clock of {@link WallTime#nanoTime}
    * @param from the operator
    * @param to the drone
    */
   public void command(long nanos, InetSocketAddress from, InetSocketAddress to, byte[] bytes) {
-    String text = WireText.decode(bytes, bytes.length);
+    String text = WireText.decode(bytes);
     String verb = text.strip();
     tick(nanos);
     if (WirePairing.TAKEOFFS.contains(verb)) {
@@ -102,22 +105,23 @@ public final class DroneRecorder implements AutoCloseable {
       isDown(nanos);
     }
     lastCommand = nanos;
-    queue.add(new Entry.Received(time(nanos), nanos, 1, new Entry.Ends(from, to), text));
+    SimInput datagram = new SimInput.Datagram(1, new Peer(from, to), bytes);
+    queue.add(new Entry.Input(time(nanos), nanos, datagram));
   }
 
   /**
-   * What the drone has sent has passed.
+   * Records a datagram sent by the drone.
    *
-   * @param nanos when it came, on the clock of {@link WallTime#nanoTime}
+   * @param nanos the time of receipt, on the clock of {@link WallTime#nanoTime}
    * @param from the drone
    * @param to the operator
-   * @param bytes nobody changes them afterwards
+   * @param bytes must not be modified afterwards
    */
   public void sent(
       long nanos, Kind kind, InetSocketAddress from, InetSocketAddress to, byte[] bytes) {
     tick(nanos);
     if (kind == Kind.REPLY) {
-      reply(nanos, WireText.decode(bytes, bytes.length).strip());
+      reply(nanos, WireText.decode(bytes).strip());
     }
     queue.add(new Entry.Sent(time(nanos), nanos, 1, kind, new Entry.Ends(from, to), bytes));
   }
@@ -126,7 +130,7 @@ public final class DroneRecorder implements AutoCloseable {
     if (flying && down.isPresent()) {
       finish(nanos);
     }
-    if (!flying) { // or the drone is in the air, and refuses it
+    if (!flying) { // if already flying, the drone refuses the takeoff
       flying = true;
       takingOff = true;
       queue.add(new Entry.Begin(WallTime.now(), time(nanos), Optional.empty()));
@@ -151,9 +155,9 @@ public final class DroneRecorder implements AutoCloseable {
   }
 
   /**
-   * Time passes: a flight may be over, though nothing comes.
+   * Advances the time. This may end a flight even if nothing is received.
    *
-   * @param nanos on the clock of {@link WallTime#nanoTime}
+   * @param nanos the time on the clock of {@link WallTime#nanoTime}
    */
   public void tick(long nanos) {
     last = Math.max(last, nanos);
@@ -168,14 +172,14 @@ public final class DroneRecorder implements AutoCloseable {
     takingOff = false;
     landing = false;
     down = OptionalLong.empty();
-    queue.add(new Entry.End(time(nanos), NO_GOALS));
+    queue.add(new Entry.End(time(nanos), NO_GOALS, 0));
   }
 
   private SimTime time(long nanos) {
     return new SimTime(Math.max(0, nanos - origin));
   }
 
-  /** Ends the flight that is recorded, and writes what waits. */
+  /** Ends the current flight and writes all queued records. */
   @Override
   public void close() {
     if (flying) {

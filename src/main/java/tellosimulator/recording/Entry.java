@@ -2,7 +2,9 @@ package tellosimulator.recording;
 
 import java.net.InetSocketAddress;
 import java.util.Optional;
+import tellosimulator.command.WireText;
 import tellosimulator.goal.Challenge;
+import tellosimulator.goal.Progress;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.WireTap;
 import tellosimulator.sim.SimEvent;
@@ -11,56 +13,81 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.WallTime;
 
-/** What is to be recorded, on its way to the thread that writes it. Immutable. */
+/** An entry that waits until the writer's thread writes it to a recording. Immutable. */
 sealed interface Entry {
 
-  /** About how much of the queue it takes [300 bytes]. */
+  /** Approximate memory that the entry takes in the queue [units of 300 bytes]. */
   default int weight() {
     return 1;
   }
 
   /**
-   * A flight begins.
+   * The beginning of a flight.
    *
-   * @param time when
-   * @param snapshot how things are then; empty of a real drone, of which nobody knows it
+   * @param time the simulated time of the beginning
+   * @param snapshot the state at that time; empty for a real drone, whose state is unknown
    */
   record Begin(WallTime wall, SimTime time, Optional<SimSnapshot> snapshot) implements Entry {
 
-    /** That of a simulation. */
+    /** Creates the first entry of a simulated flight. */
     Begin(WallTime wall, SimSnapshot snapshot) {
       this(wall, snapshot.time(), Optional.of(snapshot));
     }
   }
 
   /**
-   * A flight is over.
+   * The end of a flight.
    *
-   * @param time when
-   * @param goals what became of them
+   * @param time the simulated time of the end
+   * @param progress the result of the goals
+   * @param attemptNanos the start of the attempt, from which the progress counts its seconds
+   *     [simulated ns]
    */
-  record End(SimTime time, GoalResult goals) implements Entry {}
+  record End(SimTime time, Progress progress, long attemptNanos) implements Entry {
 
-  /** What came before is not recorded any more, because too much waited. */
-  record Overrun() implements Entry {}
+    /** The word for the result in a recording. */
+    String word() {
+      if (progress.challenge().goals().isEmpty()) {
+        return "none";
+      }
+      return switch (progress.status()) {
+        case REACHED -> "reached";
+        case FAILED -> "missed";
+        case RUNNING -> "open";
+      };
+    }
+  }
+
+  /** Marks that the queue overflowed: no entries follow, and the recording ends here. */
+  record Overrun() implements Entry {
+
+    @Override
+    public int weight() {
+      return 0;
+    }
+  }
 
   /**
-   * What came before belongs to another simulation.
+   * Marks the beginning of another run; earlier entries belong to the previous one.
    *
-   * @param start what the one began from that follows; empty if that is not known
+   * @param start the initial conditions of the new run; empty if unknown
    */
-  record Anew(Optional<InitialConditions> start) implements Entry {}
+  record NewRun(Optional<InitialConditions> start) implements Entry {}
 
-  /** Something else is asked of the drones, all of which are on the ground. */
+  /** A new challenge for the drones, set while all of them are on the ground. */
   record Asked(Challenge challenge) implements Entry {}
 
-  /** There were inputs that are not known. */
+  /** Marks that some inputs were not recorded. */
   record Missed() implements Entry {}
 
-  /** An input that is no datagram. */
-  record Taken(SimTime time, SimInput input) implements Entry {}
+  /**
+   * An input of the simulation, or a command that was forwarded to a real drone.
+   *
+   * @param nanos the time on the clock of {@link WallTime#nanoTime}
+   */
+  record Input(SimTime time, long nanos, SimInput input) implements Entry {}
 
-  /** How all drones are at a moment. */
+  /** A sample of the state of all drones. */
   record Sampled(SimSnapshot snapshot) implements Entry {
 
     @Override
@@ -70,37 +97,40 @@ sealed interface Entry {
   }
 
   /**
-   * Something happened.
+   * A simulation event.
    *
-   * @param place where the drone was then, room frame [m]; empty if it concerns all
+   * @param place the drone's position at that time, in the room frame [m]; empty if the event
+   *     concerns all drones
    */
   record Happened(SimEvent event, Optional<Vec3> place) implements Entry {}
 
   /**
-   * A datagram that came.
+   * A sent datagram.
    *
-   * @param nanos on the clock of {@link WallTime#nanoTime}
+   * @param nanos the time on the clock of {@link WallTime#nanoTime}
    */
-  record Received(SimTime time, long nanos, int drone, Ends ends, String text) implements Entry {}
-
-  /**
-   * A datagram that left.
-   *
-   * @param nanos on the clock of {@link WallTime#nanoTime}
-   */
-  @SuppressWarnings("ArrayRecordComponent") // never compared, and nobody changes the bytes
+  @SuppressWarnings("ArrayRecordComponent") // never compared, and the bytes are never modified
   record Sent(SimTime time, long nanos, int drone, WireTap.Kind kind, Ends ends, byte[] bytes)
       implements Entry {
 
-    /** Bytes of a unit of weight. */
+    /** Size of one unit of weight [bytes]. */
     private static final int UNIT = 300;
 
     @Override
     public int weight() {
       return 1 + bytes.length / UNIT;
     }
+
+    boolean isVideo() {
+      return kind == WireTap.Kind.VIDEO;
+    }
+
+    /** Returns the payload as a text, one character for each byte. */
+    String text() {
+      return WireText.decode(bytes);
+    }
   }
 
-  /** Where a datagram came from, and where it went. */
+  /** The source and destination of a sent datagram. */
   record Ends(InetSocketAddress from, InetSocketAddress to) {}
 }

@@ -9,131 +9,125 @@ import java.util.function.Consumer;
 import tellosimulator.time.Ticker;
 
 /**
- * What waits to be written. Nobody who adds something ever waits: when there is too much, the last
- * entry is an {@link Entry.Overrun}, and nothing is taken until a new flight begins. {@link #add}
- * and {@link #wake} are for any thread, all else for that of the writer.
+ * The queue of entries to be written. Adding an entry never blocks: when the queue is full, an
+ * {@link Entry.Overrun} is appended, and no more entries are accepted until a new flight begins.
+ * {@link #add} and {@link #wake} are thread-safe; all other methods are confined to the writer's
+ * thread.
  */
 final class EntryQueue {
 
   /**
-   * Weight of all that may wait. Decided: three seconds of a hundred drones at fifty times real
-   * time, which are 100,000 samples and 50,000 state lines a second.
+   * Maximum total weight of the waiting entries. Decided: enough for three seconds of a hundred
+   * drones at fifty times real time, when they produce 100,000 samples and 50,000 state lines a
+   * second.
    */
   private static final long MOST = 450_000;
 
-  /** Part of the heap that may wait, as long as that is less: an eighth. */
+  /** The queue takes at most one eighth of the heap. */
   private static final long SHARE_OF_HEAP = 8;
 
-  /** Bytes of a unit of weight. Measured: 250 to 350. */
+  /**
+   * Memory for each unit of weight [bytes]. Measured: entries take 250 to 350 bytes for each unit.
+   */
   private static final long UNIT_BYTES = 350;
 
-  /** Weight at which the writer is woken before its time. */
+  /** Weight of the waiting entries above which the writer is woken early. */
   private static final long PRESSING = 5_000;
 
   private final Queue<Entry> waiting = new ConcurrentLinkedQueue<>();
   private final AtomicLong weight = new AtomicLong();
   private final AtomicBoolean closed = new AtomicBoolean();
-  private final AtomicBoolean pressed = new AtomicBoolean();
   private final Ticker ticker = new Ticker();
   private final long most;
-
-  /** Weight that was taken and still counts: who adds shall seldom meet who takes. */
-  private long taken;
 
   EntryQueue() {
     this(Math.min(MOST, Runtime.getRuntime().maxMemory() / SHARE_OF_HEAP / UNIT_BYTES));
   }
 
   /**
-   * @param most weight that may wait
+   * Creates an empty queue.
+   *
+   * @param most maximum total weight of the waiting entries
    */
   EntryQueue(long most) {
     this.most = most;
   }
 
-  /** Adds an entry, or drops it, if too much waits. */
+  /** Adds an entry, or drops it if the queue is full. */
   void add(Entry entry) {
-    if (entry instanceof Entry.Begin || entry instanceof Entry.Anew) {
+    boolean begins = entry instanceof Entry.Begin || entry instanceof Entry.NewRun;
+    if (begins) {
       closed.set(false);
     } else if (closed.get() && !always(entry)) {
       return;
     }
     long all = weight.addAndGet(entry.weight());
-    if (all > most && !always(entry)) {
+    if (all <= most || always(entry)) {
+      waiting.add(entry);
+    } else {
       weight.addAndGet(-entry.weight());
       if (closed.compareAndSet(false, true)) {
         waiting.add(new Entry.Overrun());
       }
-      wake();
-      return;
     }
-    waiting.add(entry);
-    if (entry instanceof Entry.Begin || (all > PRESSING && pressed.compareAndSet(false, true))) {
+    if (begins || all > PRESSING) {
       wake();
     }
   }
 
-  /** Whether an entry must come through: there are few of its kind. */
+  /** Returns whether an entry is accepted even if the queue is full; such entries are rare. */
   private static boolean always(Entry entry) {
     return entry instanceof Entry.Begin
         || entry instanceof Entry.End
-        || entry instanceof Entry.Anew
+        || entry instanceof Entry.NewRun
         || entry instanceof Entry.Asked
         || entry instanceof Entry.Missed;
   }
 
-  /** Takes the oldest entry. */
+  /** Removes the oldest entry. */
   Optional<Entry> poll() {
-    Entry next = waiting.poll();
-    if (next != null && !(next instanceof Entry.Overrun)) {
-      taken += next.weight();
-    }
-    if (next == null || taken >= PRESSING / 2) {
-      weight.addAndGet(-taken);
-      taken = 0;
-    }
-    return Optional.ofNullable(next);
+    Optional<Entry> next = Optional.ofNullable(waiting.poll());
+    next.ifPresent(entry -> weight.addAndGet(-entry.weight()));
+    return next;
   }
 
   /**
-   * Takes out all that belongs to earlier simulations, or all if there are none.
+   * Removes all entries of earlier runs, or all entries if no new run is marked.
    *
-   * @param taken is handed each entry that is taken out
+   * @param taken receives each removed entry
    */
   void takeEarlier(Consumer<Entry> taken) {
-    long begins = waiting.stream().filter(Entry.Anew.class::isInstance).count();
+    long begins = waiting.stream().filter(Entry.NewRun.class::isInstance).count();
     boolean more = true;
     for (long left = begins; more; ) {
       Optional<Entry> next = poll();
       next.ifPresent(taken);
-      left -= next.filter(Entry.Anew.class::isInstance).isPresent() ? 1 : 0;
+      left -= next.filter(Entry.NewRun.class::isInstance).isPresent() ? 1 : 0;
       more = next.isPresent() && (begins == 0 || left > 0);
     }
     closed.set(false);
   }
 
   /**
-   * Waits for a while, but not while much is to be done.
+   * Waits for the rest of the period; returns early if many entries are waiting.
    *
-   * @param period from one end of waiting to the next [ns]
+   * @param period the time between the ends of two waits [ns]
    */
-  @SuppressWarnings("ReturnValueIgnored") // whichever comes first
+  @SuppressWarnings("ReturnValueIgnored") // the reason for waking up does not matter
   void awaitTick(long period) {
-    pressed.set(false);
     if (weight.get() <= PRESSING) {
       ticker.awaitTick(period);
     }
   }
 
-  /** Waits until a flight begins, or much is to be done. */
+  /** Waits until a flight begins or many entries are waiting. */
   void rest() {
-    pressed.set(false);
     if (weight.get() <= PRESSING) {
       ticker.rest();
     }
   }
 
-  /** Ends the waiting, now or the next time. */
+  /** Ends the current wait, or the next one. */
   void wake() {
     ticker.wake();
   }

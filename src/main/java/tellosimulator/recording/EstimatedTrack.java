@@ -1,44 +1,42 @@
 package tellosimulator.recording;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 
 /**
- * How real drones moved, by dead reckoning: the speeds in their state lines are summed up from
- * where they began. That is all that is known of them; it drifts by some ten centimetres a minute.
- * For one thread.
+ * The track of a real drone by dead reckoning: it integrates the horizontal velocities in the state
+ * lines from the starting point, and takes the height from the same lines. The data allow no better
+ * estimate; the track drifts by about ten centimetres a minute. Not thread-safe.
  */
 final class EstimatedTrack {
 
-  /** Longest time between state lines over which the drone kept its speed [s]. Decided. */
+  /**
+   * Maximum time between state lines for which the drone is assumed to keep its speed [s]. Decided.
+   */
   private static final double LONGEST_GAP = 1;
 
-  private final Map<Integer, List<Sample>> samples = new TreeMap<>();
+  private Optional<Sample> last = Optional.empty();
 
-  /** Takes the next line of {@code wire.jsonl}; only state lines matter. */
-  void take(Fields line) {
-    if (!line.text("kind").equals("state")) {
-      return;
-    }
-    int drone = line.whole("drone").orElse(1);
-    String text = line.text("text");
-    Optional<ReportedState> state = ReportedState.of(line.moment("t").orElse(0), drone, text);
-    if (state.isPresent() && RecordedRun.isNumber(drone)) {
-      List<Sample> before = samples.computeIfAbsent(drone, number -> new ArrayList<>());
-      before.add(sample(before, state.get(), StateNumbers.of(text)));
-    }
+  /**
+   * Processes the next state line.
+   *
+   * @param time the time at which the line was received [s]
+   * @return the drone's state at that time; empty if the line contains no motion data
+   */
+  Optional<Sample> take(double time, int drone, String text) {
+    Optional<Sample> sample =
+        ReportedState.of(time, drone, text)
+            .map(state -> sample(state, ReportedState.numbers(text)));
+    last = sample.or(() -> last);
+    return sample;
   }
 
-  private static Sample sample(List<Sample> before, ReportedState state, Map<String, Double> said) {
+  private Sample sample(ReportedState state, Map<String, Double> said) {
     Vec3 told = state.velocity();
     Vec3 velocity = new Vec3(told.x(), -told.y(), -told.z());
-    Vec3 place =
-        before.isEmpty() ? Vec3.ZERO : moved(before.get(before.size() - 1), state, velocity);
+    Vec3 place = last.map(before -> moved(before, state, velocity)).orElse(Vec3.ZERO);
     return new Sample(
         state.time(),
         new Vec3(place.x(), place.y(), Math.max(0, Frames.meters(state.heightCm()))),
@@ -55,12 +53,5 @@ final class EstimatedTrack {
     boolean gap = seconds < 0 || seconds > LONGEST_GAP;
     Vec3 mean = last.velocity().plus(velocity).times(0.5);
     return gap ? last.position() : last.position().plus(mean.times(seconds));
-  }
-
-  /** How each drone moved, in the order of their numbers. */
-  List<Track> tracks() {
-    return samples.entrySet().stream()
-        .map(entry -> new Track(entry.getKey(), entry.getValue()))
-        .toList();
   }
 }

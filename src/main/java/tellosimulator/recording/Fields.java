@@ -8,20 +8,21 @@ import java.util.OptionalInt;
 import tellosimulator.json.Json;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
+import tellosimulator.words.Phrase;
 
 /**
- * The members of a JSON object of a recording. What is missing or of another type is empty, because
- * recordings of other versions are read as far as they go. Immutable; for any thread.
+ * The members of a JSON object in a recording. Members that are missing or have another type are
+ * read as empty, so that recordings of other versions can be read as far as possible. Immutable.
  */
 record Fields(Map<?, ?> members) {
 
-  /** The last moment of any simulation [s]. Decided: three years. */
+  /** The latest time that a recording may contain [s]. Decided: about three years. */
   private static final double LATEST = 1e8;
 
   /**
-   * The object that a text says.
+   * Parses a JSON object.
    *
-   * @throws IllegalArgumentException if it says none
+   * @throws IllegalArgumentException if the text is not a JSON object
    */
   static Fields of(String text) {
     return object(Json.value(text))
@@ -36,6 +37,16 @@ record Fields(Map<?, ?> members) {
     return members.get(name) instanceof String text ? text : "";
   }
 
+  /**
+   * Returns a phrase.
+   *
+   * @param english name of the member that contains the same phrase in English, used if the phrase
+   *     is missing or damaged
+   */
+  Phrase phrase(String name, String english) {
+    return RecordedPhrase.of(members.get(name), text(english));
+  }
+
   OptionalDouble number(String name) {
     return members.get(name) instanceof Number number
         ? OptionalDouble.of(number.doubleValue())
@@ -43,9 +54,9 @@ record Fields(Map<?, ?> members) {
   }
 
   /**
-   * A moment of a simulation [s].
+   * Returns a simulated time [s].
    *
-   * @throws IllegalArgumentException if it is before its beginning, or later than any can be
+   * @throws IllegalArgumentException if it is negative, or later than the latest possible time
    */
   OptionalDouble moment(String name) {
     OptionalDouble moment = number(name);
@@ -79,7 +90,7 @@ record Fields(Map<?, ?> members) {
     return object(members.get(name));
   }
 
-  /** The objects of an array. */
+  /** Returns the objects of an array. */
   List<Fields> objects(String name) {
     return members.get(name) instanceof List<?> items ? objects(items) : List.of();
   }
@@ -88,14 +99,17 @@ record Fields(Map<?, ?> members) {
     return items.stream().map(Fields::object).flatMap(Optional::stream).toList();
   }
 
-  /** The texts of an array. */
+  /** Returns the strings of an array. */
   List<String> texts(String name) {
     return members.get(name) instanceof List<?> items
         ? items.stream().filter(String.class::isInstance).map(String.class::cast).toList()
         : List.of();
   }
 
-  /** The place that x, y and z say in cm [m]; z is 0 if it is not said. */
+  /**
+   * Returns a position [m], converted from the members x, y and z in cm; empty if x or y is
+   * missing. A missing z is 0.
+   */
   Optional<Vec3> place() {
     if (number("x").isEmpty() || number("y").isEmpty()) {
       return Optional.empty();

@@ -1,31 +1,47 @@
 package tellosimulator.recording;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 
 /**
- * Reads the rows of {@code flight.csv}, whose columns it finds by their names. For one thread; each
- * recording needs its own.
+ * Reads the rows of {@code flight.csv}; columns are found by name. Not thread-safe; each recording
+ * needs its own instance.
  */
-final class FlightCsvReader {
+public final class FlightCsvReader {
 
-  /** The largest number that is no damage; times are the largest of all. Decided. */
+  /**
+   * The largest magnitude of an undamaged number. Decided: ten times the latest time, because times
+   * are the largest numbers in a row.
+   */
   private static final double LARGEST = 1e9;
 
   private final Map<String, Integer> columns = new HashMap<>();
-  private final Map<Integer, List<Sample>> samples = new TreeMap<>();
   private final List<String> cells = new ArrayList<>();
 
-  /**
-   * @param header the first line
-   */
-  FlightCsvReader(String header) {
+  private final SampleConsumer consumer;
+
+  /** Receives the samples of all rows. */
+  @FunctionalInterface
+  public interface SampleConsumer {
+
+    /**
+     * Called for each sample.
+     *
+     * @param drone the drone's number, from 1
+     * @throws IOException to stop reading
+     */
+    void accept(int drone, Sample sample) throws IOException;
+  }
+
+  private FlightCsvReader(String header, SampleConsumer consumer) {
+    this.consumer = consumer;
     split(header);
     for (int i = 0; i < cells.size(); i++) {
       columns.put(cells.get(i), i);
@@ -33,11 +49,32 @@ final class FlightCsvReader {
   }
 
   /**
-   * Takes the next row.
+   * Passes all rows of a recording to a consumer one at a time, because they may not fit into
+   * memory.
    *
-   * @throws IllegalArgumentException if it has no time, no place, or no number of a drone
+   * @param folder the folder of a recording; if it contains no table, there are no rows
+   * @return the number of damaged rows, which are skipped
+   * @throws IOException if the rows cannot be read
    */
-  void take(String row) {
+  public static int readAll(Path folder, SampleConsumer consumer) throws IOException {
+    FlightCsvReader[] table = new FlightCsvReader[1];
+    return LineReader.readAll(
+        RecordingFile.FLIGHT.in(folder),
+        line -> {
+          if (table[0] == null) {
+            table[0] = new FlightCsvReader(line, consumer);
+          } else {
+            table[0].take(line);
+          }
+        });
+  }
+
+  /**
+   * Parses the next row.
+   *
+   * @throws IllegalArgumentException if it lacks a time, a position or a drone number
+   */
+  private void take(String row) throws IOException {
     split(row);
     int drone = (int) required("drone");
     if (!RecordedRun.isNumber(drone)) {
@@ -62,14 +99,7 @@ final class FlightCsvReader {
             cell("phase").orElse(""),
             number("battery_pct"),
             cell("command").orElse(""));
-    samples.computeIfAbsent(drone, number -> new ArrayList<>()).add(sample);
-  }
-
-  /** How each drone moved, in the order of their numbers. */
-  List<Track> tracks() {
-    return samples.entrySet().stream()
-        .map(entry -> new Track(entry.getKey(), entry.getValue()))
-        .toList();
+    consumer.accept(drone, sample);
   }
 
   private double required(String column) {
@@ -79,7 +109,7 @@ final class FlightCsvReader {
         .orElseThrow(() -> new IllegalArgumentException("there is no " + column));
   }
 
-  /** That of a column; 0 if it is empty, too large or not there. */
+  /** Returns the number in a column; 0 if it is missing, empty or too large. */
   private double number(String column) {
     return cell(column)
         .filter(cell -> !cell.isEmpty())
@@ -95,34 +125,28 @@ final class FlightCsvReader {
         : Optional.of(cells.get(index));
   }
 
-  /** Splits a line at its commas; in quotes, a quote is doubled. Source: RFC 4180. */
+  /**
+   * Splits a line at its commas, except inside quotes; within quoted cells, quotes are doubled.
+   * Documented: RFC 4180.
+   */
   private void split(String line) {
     cells.clear();
-    int at = 0;
-    while (at <= line.length()) {
-      boolean quoted = at < line.length() && line.charAt(at) == '"';
-      int end = quoted ? closingQuote(line, at + 1) + 1 : at;
-      int comma = line.indexOf(',', end);
-      int next = comma < 0 ? line.length() : comma;
-      cells.add(
-          quoted
-              ? line.substring(at + 1, Math.max(at + 1, end - 1)).replace("\"\"", "\"")
-              : line.substring(at, next));
-      at = next + 1;
-    }
-  }
-
-  private static int closingQuote(String line, int from) {
-    int at = from;
-    while (at < line.length()) {
-      if (line.charAt(at) != '"') {
-        at++;
-      } else if (at + 1 < line.length() && line.charAt(at + 1) == '"') {
-        at += 2;
+    StringBuilder cell = new StringBuilder();
+    boolean quoted = false;
+    for (int i = 0; i <= line.length(); i++) {
+      char c = i < line.length() ? line.charAt(i) : ',';
+      if (c == '"') {
+        quoted = !quoted; // a doubled quote toggles this twice
+        cell.append(quoted && i > 0 && line.charAt(i - 1) == '"' ? "\"" : "");
+      } else if (c == ',' && !quoted) {
+        cells.add(cell.toString());
+        cell.setLength(0);
       } else {
-        return at;
+        cell.append(c);
       }
     }
-    throw new IllegalArgumentException("a quote is not closed");
+    if (quoted) {
+      throw new IllegalArgumentException("a quote is not closed");
+    }
   }
 }

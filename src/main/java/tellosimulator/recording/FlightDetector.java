@@ -8,24 +8,24 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.SimTime;
 
 /**
- * Detects where a flight of a simulation begins and ends: from a first takeoff until all drones
- * have been down for three seconds, or are down when one of them is reset or switched off. For the
- * simulation thread.
+ * Detects the beginning and end of a simulated flight. A flight begins with the first takeoff. It
+ * ends when all drones have been on the ground for three seconds, or when a drone is reset or
+ * switched off while all are on the ground. Confined to the simulation thread.
  */
 final class FlightDetector {
 
-  /** How long all drones must be down before a flight is over [s]. Decided. */
+  /** How long all drones must have been on the ground before a flight ends [s]. Decided. */
   private static final double REST = 3;
 
   private boolean flying;
   private Optional<SimTime> down = Optional.empty();
 
-  /** Whether there is a flight that has not ended yet. */
+  /** Whether a flight is in progress. */
   boolean flying() {
     return flying;
   }
 
-  /** Takes in an event; returns whether a flight begins with it. */
+  /** Processes an event; returns whether it begins a flight. */
   boolean begins(SimEvent event) {
     boolean begins =
         !flying
@@ -39,9 +39,9 @@ final class FlightDetector {
   }
 
   /**
-   * Whether the flight ends with an event, after which nothing of it follows.
+   * Returns whether an event ends the flight; later events do not belong to the flight.
    *
-   * @param snapshot the drones when it happened
+   * @param snapshot the drones at the time of the event
    */
   boolean ends(SimEvent event, SimSnapshot snapshot) {
     return flying
@@ -51,7 +51,10 @@ final class FlightDetector {
         && allDown(snapshot);
   }
 
-  /** Takes in a step; returns whether the flight ends with it. For each step that is looked at. */
+  /**
+   * Processes a sampled step; returns whether it ends the flight. Must be called for each sampled
+   * step.
+   */
   boolean ends(SimSnapshot snapshot) {
     if (!allDown(snapshot)) {
       down = Optional.empty();
@@ -62,7 +65,7 @@ final class FlightDetector {
     return flying && snapshot.time().since(since) >= REST;
   }
 
-  /** There is no flight any more. */
+  /** Marks the flight as ended. */
   void end() {
     flying = false;
   }

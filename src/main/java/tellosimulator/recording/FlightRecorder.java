@@ -7,7 +7,6 @@ import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import tellosimulator.command.Peer;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.GoalWatch;
@@ -30,25 +29,31 @@ import tellosimulator.video.VideoStreams;
 import tellosimulator.words.Phrase;
 
 /**
- * Records the flights of a simulation, each into a folder of its own. Where one begins and ends
- * decides {@link FlightDetector}; the simulation ends it, too, when it begins anew or is over.
+ * Records the flights of a simulation. Each flight is recorded into its own folder. {@link
+ * FlightDetector} decides when a flight begins and ends. A flight also ends when the simulation
+ * starts a new run or closes.
  *
- * <p>It is told on the threads of simulation, network and video, on which it only puts records into
- * a queue; {@link #setRecording} and {@link #close} are for any thread.
+ * <p>The simulation, network and video threads call the recorder, which only adds records to a
+ * queue. {@link #setRecording} and {@link #close} are thread-safe.
  */
 public final class FlightRecorder implements SimListener, WireTap, AutoCloseable {
 
-  /** Steps from sample to sample: 20 a simulated second. Decided. */
+  /** Number of steps between samples. Decided: 20 samples per simulated second. */
   private static final long SAMPLE_STEPS = Math.round(0.05 / SimTime.STEP);
 
-  /** Weight of what is only remembered. Decided: 35 MB, and half an hour of one drone. */
+  /**
+   * Maximum weight of the entries that a recorder keeps in memory. Decided: 35 MB, enough for half
+   * an hour of flight of one drone.
+   */
   private static final long MOST_REMEMBERED = 100_000;
 
   private final EntryQueue queue;
   private final RecordingWriter.Sources sources;
   private final Subject subject;
 
-  /** Writes when it is told to; empty if a worker writes, or nobody yet. */
+  /**
+   * The writer of a stepped recorder; empty if a worker writes, or if flights are kept in memory.
+   */
   private final Optional<RecordingWriter> writer;
 
   private final Optional<Worker> worker;
@@ -58,34 +63,37 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   private volatile boolean recording;
   private volatile boolean flown;
 
-  /** What the simulation began from; empty if that is not known. */
+  /** The initial conditions of the simulation; empty if unknown. */
   private final AtomicReference<Optional<InitialConditions>> start =
       new AtomicReference<>(Optional.empty());
 
-  /** Whether something was done since the simulation began. */
+  /** Whether the simulation has received any input since it began. */
   private volatile boolean begun;
 
-  /** This and all that follows is for the simulation thread. */
+  /** Detects flights. This field and all fields below it are confined to the simulation thread. */
   private final FlightDetector detector = new FlightDetector();
 
-  /** Whether there was an input that is not recorded. */
+  /** Whether an input of the current run has not been recorded. */
   private boolean missed;
 
   private long steps;
 
-  /** The end of the last step [ns]; a number, as it changes in each. */
+  /**
+   * The end of the last step [ns]. It is stored as a primitive value, because it changes with each
+   * step.
+   */
   private long lastNanos;
 
   private Progress progress;
   private long attemptNanos;
 
   /**
-   * What is recorded.
+   * The subject of a recording.
    *
-   * @param title of the scenario, or the name of its file
-   * @param scenario that is flown; room and starts may be changed in between
-   * @param options words of the command line, as far as they are known
-   * @param goals judges the drones, and is told of each step before the recorder
+   * @param title title of the scenario, or the name of its file
+   * @param scenario the scenario flown; its room and starting poses may be changed between flights
+   * @param options the command-line arguments, as far as they are known
+   * @param goals evaluates the goals; must be notified of each step before the recorder
    */
   public record Subject(String title, Scenario scenario, List<String> options, GoalWatch goals) {
 
@@ -109,11 +117,11 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   }
 
   /**
-   * Waits for a first takeoff, once it is attached to a simulation.
+   * Starts a recorder. Once attached to a simulation, it waits for the first takeoff.
    *
-   * @param folder in which there will be a folder for each flight
-   * @param told takes a sentence for people when a flight, or a drone's film, cannot be recorded
-   *     any more; on the recorder's thread or a drone's video thread
+   * @param folder the folder that will contain a folder for each flight
+   * @param told receives a sentence for users when recording a flight or a drone's video fails;
+   *     called on the recorder's thread or on a drone's video thread
    */
   public static FlightRecorder start(
       RecordingFolder folder, Subject subject, Consumer<Phrase> told) {
@@ -122,8 +130,8 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
 
   static FlightRecorder start(
       RecordingFolder folder, Subject subject, Consumer<Phrase> told, EntryQueue queue) {
-    VideoRecorders films = new VideoRecorders(subject.scenario().config().drones().size());
-    var sources = new RecordingWriter.Sources(queue, films, new InputHistory());
+    int drones = subject.scenario().config().drones().size();
+    var sources = new RecordingWriter.Sources(queue, drones);
     RecordingWriter writer = writer(sources, folder, subject, told);
     return new FlightRecorder(
         subject, sources, Optional.empty(), Optional.of(Worker.start("recorder", writer)));
@@ -139,40 +147,38 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   }
 
   /**
-   * One that writes when it is told to ({@link #writeWaiting}), for somebody who steps a simulation
-   * faster than any disk, and waits for it. It keeps no film.
+   * Creates a recorder that writes only on request ({@link #writeWaiting}). It is meant for callers
+   * that step a simulation faster than a disk can write: they wait while the recorder writes. It
+   * records no video.
    *
-   * @param told takes a sentence for people when a flight cannot be recorded any more
+   * @param told receives a sentence for users when recording a flight fails
    */
   public static FlightRecorder stepped(
       RecordingFolder folder, Subject subject, Consumer<Phrase> told) {
-    var sources =
-        new RecordingWriter.Sources(
-            new EntryQueue(Long.MAX_VALUE), new VideoRecorders(0), new InputHistory());
+    var sources = new RecordingWriter.Sources(new EntryQueue(Long.MAX_VALUE), 0);
     RecordingWriter writer = writer(sources, folder, subject, told);
     return new FlightRecorder(subject, sources, Optional.of(writer), Optional.empty());
   }
 
   /**
-   * One that only remembers, for somebody who decides afterwards whether anything is written, by
-   * {@link #writeTo}. It keeps no film, and no more than half an hour of one drone.
+   * Creates a recorder that keeps flights in memory, for callers that decide afterwards whether to
+   * write them with {@link #writeTo}. It records no video, and keeps at most half an hour of flight
+   * of one drone.
    */
   public static FlightRecorder inMemory(Subject subject) {
-    var sources =
-        new RecordingWriter.Sources(
-            new EntryQueue(MOST_REMEMBERED), new VideoRecorders(0), new InputHistory());
+    var sources = new RecordingWriter.Sources(new EntryQueue(MOST_REMEMBERED), 0);
     return new FlightRecorder(subject, sources, Optional.empty(), Optional.empty());
   }
 
-  /** Looks at a simulation from now on, with its wire and its drones' films. */
+  /** Starts to observe a simulation, its datagrams and its drones' videos. */
   public void attach(OnlineSimulation simulation, VideoStreams streams) {
     attach(simulation);
     sources.films().watch(streams, simulation::time);
   }
 
   /**
-   * Looks at a simulation from now on, with its wire, but without films. Flights can be flown again
-   * if nothing was done to it before.
+   * Starts to observe a simulation and its datagrams, but no video. Flights can be replayed only if
+   * the simulation has not received any input yet.
    */
   public void attach(OnlineSimulation simulation) {
     follow(simulation::time, simulation::snapshot);
@@ -185,10 +191,11 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   }
 
   /**
-   * Looks at a simulation that its owner steps, and to which nothing was done yet; the owner hands
-   * over what is on its wire.
+   * Starts to observe a simulation that has received no input yet. The owner of the simulation
+   * steps it, and must also pass all sent datagrams to {@link #sent}.
    *
-   * @param replyPort port to which all replies go; empty for the port each command came from
+   * @param replyPort port to which all replies go; if empty, each reply goes to the port that its
+   *     command came from
    */
   public void attach(Simulation simulation, OptionalInt replyPort) {
     follow(simulation::time, simulation::snapshot);
@@ -199,12 +206,12 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   private void begin(SimConfig config, OptionalInt replyPort) {
     start.set(Optional.of(new InitialConditions(config, goals.progress().challenge(), replyPort)));
     begun = false;
-    queue.add(new Entry.Anew(start.get()));
+    queue.add(new Entry.NewRun(start.get()));
   }
 
   /**
-   * Whom to ask for the time and for the newest snapshot, where somebody else hands over steps,
-   * events and datagrams. Its flights cannot be flown again.
+   * Sets the sources of the time and of the latest snapshot, for callers that pass on steps, events
+   * and datagrams themselves. Flights recorded in this way cannot be replayed.
    */
   public void follow(Supplier<SimTime> newClock, Supplier<SimSnapshot> newSnapshots) {
     clock = newClock;
@@ -213,54 +220,54 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
     recording = true;
   }
 
-  /** Whether flights are recorded; if not, one that has begun ends with the next step. */
+  /**
+   * Sets whether flights are recorded; when recording is switched off, a flight in progress ends
+   * with the next step.
+   */
   public void setRecording(boolean wanted) {
     recording = wanted;
   }
 
   /**
-   * Something else is asked of the drones, as {@link GoalWatch#ask} says it: while none flies, and
-   * before all of them are put back if one has flown. For any thread.
+   * Records a new challenge, which the caller must also pass to {@link GoalWatch#ask}. Must be
+   * called while no drone is flying and, if a drone has flown, before all drones are put back.
+   * Thread-safe.
    */
   public void ask(Challenge challenge) {
     start.updateAndGet(from -> from.map(before -> before.withChallenge(challenge)));
     queue.add(new Entry.Asked(challenge));
   }
 
-  // --- what is only remembered ---
+  // --- recorders in memory ---
 
-  /** Whether a drone has taken off since the start, or since {@link #forget}. For any thread. */
+  /** Whether a drone has taken off since the start, or since {@link #forget}. Thread-safe. */
   public boolean hasFlown() {
     return flown;
   }
 
-  /** Forgets all flights until now. When the simulation has just begun anew; for any thread. */
+  /**
+   * Discards all flights recorded until now. Must be called immediately after a new run has begun.
+   * Thread-safe.
+   */
   public void forget() {
     queue.takeEarlier(sources.inputs()::take);
     flown = false;
   }
 
   /**
-   * Writes all flights until now, and forgets them. For one that only remembers, on any thread that
-   * has waited for the simulation ({@link OnlineSimulation#settle}).
+   * Writes all flights recorded until now and then discards them. Only for a recorder in memory;
+   * must be called on a thread that has waited for the simulation ({@link
+   * OnlineSimulation#settle}).
    *
-   * @param told takes a sentence if something cannot be written
+   * @param told receives a sentence if writing fails
    */
   public void writeTo(RecordingFolder folder, Consumer<Phrase> told) {
-    queue.add(new Entry.End(clock.get(), new GoalResult(progress, attemptNanos)));
+    queue.add(new Entry.End(clock.get(), progress, attemptNanos));
     writer(sources, folder, subject, told).onClose();
     flown = false;
   }
 
   // --- network ---
-
-  @Override
-  public void received(int drone, Peer peer, String text) {
-    if (takes()) {
-      Ends ends = new Ends(peer.address(), peer.via());
-      queue.add(new Entry.Received(clock.get(), WallTime.nanoTime(), drone, ends, text));
-    }
-  }
 
   @Override
   public void sent(
@@ -273,11 +280,11 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
 
   // --- simulation ---
 
-  /** Whether an input is taken; if not, those who come later know that one is missing. */
+  /** Returns whether inputs are recorded now; if not, marks the gap for later flights. */
   private boolean takes() {
     begun = true;
     if (!recording) {
-      end(last()); // before the gap, which would otherwise be within the flight
+      end(last()); // ends before the gap, so that the flight does not contain it
       miss();
     }
     return recording;
@@ -291,27 +298,27 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   }
 
   @Override
-  public void taken(SimTime now, SimInput input) {
-    if (input instanceof SimInput.Act act && act.control() instanceof Control.Restart restart) {
+  public void onInput(SimTime now, SimInput input) {
+    if (input instanceof SimInput.Act act && act.control() instanceof Control.NewRun restart) {
       start.updateAndGet(
           from ->
               from.map(
                   before ->
                       new InitialConditions(
                           restart.config(), before.challenge(), before.replyPort())));
-    } else if (!(input instanceof SimInput.Datagram) && takes()) { // those come from the wire
-      queue.add(new Entry.Taken(now, input));
+    } else if (takes()) {
+      queue.add(new Entry.Input(now, WallTime.nanoTime(), input));
     }
   }
 
   @Override
   public void event(SimEvent event) {
-    if (event instanceof SimEvent.Restarted) {
+    if (event instanceof SimEvent.RunStarted) {
       end(last());
       lastNanos = event.time().nanos();
       missed = false;
       begun = start.get().isEmpty();
-      queue.add(new Entry.Anew(start.get()));
+      queue.add(new Entry.NewRun(start.get()));
       return;
     }
     if (!recording || !begun) {
@@ -343,7 +350,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
     }
     if (!recording) {
       end(last());
-      miss(); // the rest of this flight, for those that follow
+      miss(); // later flights lack the inputs of the rest of this one
       return;
     }
     judge(goals.progress());
@@ -359,11 +366,11 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
     return new SimTime(lastNanos);
   }
 
-  /** Notes how far the goals are, and when the try at them began. */
-  @SuppressWarnings("ReferenceEquality") // it is asked in each step
+  /** Updates the progress of the goals and the start of the attempt. */
+  @SuppressWarnings("ReferenceEquality") // compared in each step
   private void judge(Progress now) {
     if (now == progress) {
-      return; // such as without goals
+      return; // for example, if there are no goals
     }
     progress = now;
     if (now.status() == Progress.Status.RUNNING) {
@@ -374,21 +381,22 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   private void end(SimTime time) {
     if (detector.flying()) {
       detector.end();
-      queue.add(new Entry.End(time, new GoalResult(progress, attemptNanos)));
+      queue.add(new Entry.End(time, progress, attemptNanos));
     }
   }
 
-  /** Writes all that waits, on the thread that calls it; for one that is stepped. */
+  /** Writes all queued records on the calling thread; only for a stepped recorder. */
   public void writeWaiting() {
     writer.ifPresent(RecordingWriter::writeWaiting);
   }
 
   /**
-   * Ends the flight that is recorded, and writes what waits. After the simulation, or the last
-   * things may be missing.
+   * Ends the current flight and writes all queued records. Must be called after the simulation has
+   * closed; otherwise the last records may be missing.
    */
   @Override
   public void close() {
+    progress = goals.progress(); // a drone that is still in the air may have cost points
     end(last());
     recording = false;
     worker.ifPresent(Worker::end);

@@ -1,137 +1,134 @@
 package tellosimulator.recording;
 
-import java.util.ArrayList;
+import static java.util.stream.Collectors.joining;
+
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.DoubleStream;
 import tellosimulator.command.CommandSyntax;
-import tellosimulator.command.Sticks;
+import tellosimulator.command.Request;
 import tellosimulator.command.WireText;
 import tellosimulator.controller.FlightEvent;
+import tellosimulator.controller.Sticks;
 import tellosimulator.sim.SimEvent;
 
 /**
- * What the next row of {@code flight.csv} says of a drone beside its motion, by events and
- * datagrams: commands that are not answered yet, the sticks, and the sensors. For the writer's
+ * The columns of {@code flight.csv} that do not describe motion: unanswered commands, sticks and
+ * sensor values. They are derived from a drone's events and datagrams. Confined to the writer's
  * thread.
  */
 final class FlightRowState {
 
-  /** Commands that wait for their answer. Decided: more than any program sends at once. */
+  /**
+   * Maximum number of unanswered commands that are tracked. Decided: more than any program sends at
+   * once.
+   */
   private static final int MOST_OPEN = 100;
 
-  private static final int LONGEST_VALUE = 12;
-
-  /** In the order of the columns. */
+  /** The keys of the state line, in the order of the columns. */
   private static final List<String> KEYS = List.of("h", "tof", "baro", "yaw", "bat");
 
   private static final String NO_SENSORS = ",,,,";
 
-  private final List<String> open = new ArrayList<>();
+  /**
+   * Matches a value of the state line if the value is a number. In a corrupted line, it may not be
+   * one.
+   */
+  private static final Pattern SENSOR =
+      Pattern.compile(";(h|tof|baro|yaw|bat):([-.0-9]{1,12})(?=;)");
+
+  private static final String STICK = " +([-+]?[0-9]{1,3}(?:\\.[0-9]{1,6})?)";
+  private static final Pattern RC = Pattern.compile(CommandSyntax.RC.verb() + STICK.repeat(4));
+
+  /** Unanswered commands by number, in order of arrival. */
+  private final Map<Integer, String> open = new LinkedHashMap<>();
+
   private Sticks sticks = Sticks.CENTERED;
   private Sticks sticksBefore = Sticks.CENTERED;
   private String sensors = NO_SENSORS;
 
-  /** Something happened to the drone. */
+  /** Processes an event of the drone. */
   void take(SimEvent.ForDrone event) {
     if (event instanceof SimEvent.CommandReceived received) {
-      receive(received.text());
-    } else if (event instanceof SimEvent.ReplySent sent) {
-      open.remove(sent.text());
-      if (sent.text().strip().equals(CommandSyntax.STOP.verb())) {
-        sticks = Sticks.CENTERED;
-      }
-    } else if (event instanceof SimEvent.CommandFailed failed) {
-      open.remove(failed.text());
-    } else if (event instanceof SimEvent.CommandRefused refused) {
-      refuse(refused.text());
+      receive(received.request());
+    } else if (event instanceof SimEvent.OfCommand answered) {
+      open.remove(answered.request().number());
+      set(answered);
     } else if (event instanceof SimEvent.DroneFlight flight
         && flight.event() instanceof FlightEvent.PutBack) {
       forgetCommands();
     }
   }
 
-  private void receive(String text) {
-    if (WireText.isUnanswered(text)) {
-      steer(text);
+  private void receive(Request request) {
+    if (WireText.isUnanswered(request.text())) {
+      steer(request.text());
     } else if (open.size() < MOST_OPEN) {
-      open.add(text);
+      open.put(request.number(), request.text());
     }
   }
 
-  /** At once, so it is the last one. */
-  private void refuse(String text) {
-    int last = open.lastIndexOf(text);
-    if (last >= 0) {
-      open.remove(last);
-    } else {
+  /**
+   * Updates the sticks: a stop centres them; the refusal of an {@code rc} restores their previous
+   * positions.
+   */
+  private void set(SimEvent.OfCommand answered) {
+    String text = answered.text();
+    if (answered instanceof SimEvent.ReplySent && text.strip().equals(CommandSyntax.STOP.verb())) {
+      sticks = Sticks.CENTERED;
+    } else if (answered instanceof SimEvent.CommandRefused && WireText.isUnanswered(text)) {
       sticks = sticksBefore;
     }
   }
 
   private void steer(String text) {
-    String[] words = text.strip().split(" +", -1);
-    if (words.length != 5 || !words[0].equals(CommandSyntax.RC.verb())) {
-      return;
+    Matcher rc = RC.matcher(text.strip());
+    if (rc.matches()) {
+      sticksBefore = sticks;
+      sticks = new Sticks(value(rc, 1), value(rc, 2), value(rc, 3), value(rc, 4));
     }
-    double[] values = new double[4];
-    for (int i = 0; i < values.length; i++) {
-      if (!words[i + 1].matches("[-+]?[0-9]{1,3}(\\.[0-9]{1,6})?")) {
-        return;
-      }
-      values[i] = Double.parseDouble(words[i + 1]);
-    }
-    sticksBefore = sticks;
-    sticks = new Sticks(values[0], values[1], values[2], values[3]);
   }
 
-  /** The drone has no power, or stands at its start. */
+  private static double value(Matcher rc, int stick) {
+    return Double.parseDouble(rc.group(stick));
+  }
+
+  /**
+   * Forgets all commands and centres the sticks. Called when the drone is off or back at its start.
+   */
   void forgetCommands() {
     open.clear();
     sticks = Sticks.CENTERED;
     sticksBefore = Sticks.CENTERED;
   }
 
-  /** It sent a state line. */
+  /** Processes a state line. */
   void report(String line) {
-    StringBuilder cells = new StringBuilder();
-    for (String key : KEYS) {
-      cells.append(cells.isEmpty() && key.equals(KEYS.get(0)) ? "" : ",").append(value(line, key));
+    Map<String, String> values = new HashMap<>();
+    Matcher sensor = SENSOR.matcher(line);
+    while (sensor.find()) {
+      values.putIfAbsent(sensor.group(1), sensor.group(2));
     }
-    sensors = cells.toString();
+    sensors = KEYS.stream().map(key -> values.getOrDefault(key, "")).collect(joining(","));
   }
 
-  /** That of a key; empty if it is not there, or no number, as when the line was corrupted. */
-  private static String value(String line, String key) {
-    int start = line.indexOf(";" + key + ":");
-    if (start < 0) {
-      return "";
-    }
-    int begin = start + key.length() + 2;
-    int end = line.indexOf(';', begin);
-    if (end < 0 || end == begin || end - begin > LONGEST_VALUE) {
-      return "";
-    }
-    for (int i = begin; i < end; i++) {
-      char c = line.charAt(i);
-      if ((c < '0' || c > '9') && c != '.' && c != '-') {
-        return "";
-      }
-    }
-    return line.substring(begin, end);
+  /** The latest stick positions, separated by commas. */
+  String sticks() {
+    return DoubleStream.of(sticks.right(), sticks.forward(), sticks.up(), sticks.clockwise())
+        .mapToObj(value -> Long.toString(Math.round(value)))
+        .collect(joining(","));
   }
 
-  /** The sticks as they were set last. */
-  Sticks sticks() {
-    return sticks;
-  }
-
-  /**
-   * The command that was taken first of those that are not answered yet; empty if there is none.
-   */
+  /** The oldest unanswered command; empty if there is none. */
   String command() {
-    return open.isEmpty() ? "" : WireText.printable(open.get(0));
+    return open.isEmpty() ? "" : WireText.printable(open.values().iterator().next());
   }
 
-  /** Height, range, barometer, yaw and battery as it last sent them, with commas in between. */
+  /** Height, range, barometer, yaw and battery as last sent, separated by commas. */
   String sensors() {
     return sensors;
   }

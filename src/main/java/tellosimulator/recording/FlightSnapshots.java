@@ -11,8 +11,8 @@ import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import tellosimulator.board.BoardLights;
 import tellosimulator.command.LightCommands;
+import tellosimulator.extension.BoardLights;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
@@ -33,28 +33,36 @@ import tellosimulator.world.Obstacle;
 import tellosimulator.world.ObstacleAppearance;
 
 /**
- * Rebuilds what could be seen at the moments of a recorded flight. Between two samples drones are
- * on the way from one to the other. Immutable; for any thread.
+ * Reconstructs the snapshots of a recorded flight. Positions are interpolated between two samples.
+ * Immutable.
  */
 public final class FlightSnapshots {
 
-  /** Samples that are farther apart are not joined [s]. Decided: some times their period. */
-  private static final double LONGEST_GAP = 0.5;
+  /**
+   * Longest gap between samples that is interpolated [s]. Decided: more than the 0.8 s between the
+   * samples of a day-long flight after thinning.
+   */
+  private static final double LONGEST_GAP = 2;
 
-  /** A drone that is farther away at the next sample was put there [m]. Decided: 20 m/s. */
+  /**
+   * Maximum distance between consecutive samples of a drone in motion [m]. If the distance is
+   * greater, the drone is assumed to have been moved by hand. Decided: it corresponds to 20 m/s.
+   */
   private static final double FARTHEST = 1;
 
   private final SimSnapshot beginning;
   private final List<Track> tracks;
 
-  /** What the lights of a board show from a time on [s], by the number of its drone. */
+  /**
+   * The lights of each drone's extension board, by drone number and by the time from which they
+   * apply [s].
+   */
   private final Map<Integer, NavigableMap<Double, BoardLights>> lights;
 
-  /** The moments of a recorded flight. */
+  /** Creates the snapshots of a recorded flight. */
   public FlightSnapshots(RecordedFlight flight) {
     this(
-        new Simulation(config(flight), drone -> (peer, text) -> {}, report -> {}, List.of())
-            .snapshot(),
+        new Simulation(config(flight), drone -> datagram -> {}, List.of()).snapshot(),
         flight.tracks(),
         lights(flight.commands()));
   }
@@ -89,9 +97,9 @@ public final class FlightSnapshots {
   }
 
   /**
-   * The same flight with all drones in one colour.
+   * Returns a copy of this flight in which all drones have one colour.
    *
-   * @param rgb as one writes #rrggbb
+   * @param rgb the colour as {@code 0xrrggbb}
    */
   public FlightSnapshots withColor(int rgb) {
     List<DroneSnapshot> painted =
@@ -117,7 +125,10 @@ public final class FlightSnapshots {
         : drones.stream().map(DroneEntry::start).toList();
   }
 
-  /** Image files need not be where the recording is looked at. */
+  /**
+   * Removes pictures that cannot be read, because the image files may be missing on the machine
+   * that shows the recording.
+   */
   private static Arena withReadablePictures(Arena arena) {
     List<Obstacle> obstacles = arena.obstacles().stream().map(FlightSnapshots::readable).toList();
     return arena
@@ -143,12 +154,16 @@ public final class FlightSnapshots {
             obstacle.name(), obstacle.shape(), obstacle.foot(), obstacle.heading(), plain);
   }
 
-  /** The room with all that is in it. */
+  /** The room with its contents. */
   public Arena arena() {
     return beginning.arena();
   }
 
-  /** A moment, in simulated seconds since the simulation began. */
+  /**
+   * Returns the snapshot at a time.
+   *
+   * @param time simulated seconds since the simulation began
+   */
   public SimSnapshot at(double time) {
     SimTime moment = SimTime.ZERO.plus(Math.max(0, time));
     List<DroneSnapshot> drones = new ArrayList<>();
@@ -160,7 +175,7 @@ public final class FlightSnapshots {
               .map(track -> drone.withState(state(drone.state().at(moment), track, time)))
               .orElse(drone));
     }
-    return new SimSnapshot(moment, beginning.clock(), beginning.arena(), drones);
+    return new SimSnapshot(moment, beginning.clock(), beginning.seed(), beginning.arena(), drones);
   }
 
   private DroneState state(DroneState was, Track track, double time) {
@@ -214,7 +229,7 @@ public final class FlightSnapshots {
         .after(new Attitude(Math.cos(roll), Math.sin(roll), 0, 0));
   }
 
-  /** That of its word, or as if it flew. */
+  /** Parses a flight phase; an unknown one counts as flying. */
   private static FlightPhase phase(String word) {
     String name = word.toUpperCase(Locale.ROOT).replace('-', '_');
     return Stream.of(FlightPhase.values())

@@ -2,22 +2,30 @@ package tellosimulator.recording;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
+import tellosimulator.json.Json;
+import tellosimulator.json.JsonRecords;
+import tellosimulator.sim.SimInput;
+import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 
 /**
- * All inputs of a simulation since it began, so that each of its flights can be flown again: where
- * a drone is, and how full its battery, follows from all that came before. For one thread at a
- * time.
+ * All inputs of a simulation since it began. They are needed to replay any of its flights, because
+ * the position and battery level of a drone depend on everything that happened before. Must not be
+ * used by two threads at the same time.
  */
 final class InputHistory {
 
   /**
-   * What is kept between flights [bytes]. Decided: more than an hour of sticks that are set 20
-   * times a second, and nothing that a machine feels.
+   * Maximum size of the history [bytes]. A longer history is dropped, and later flights of the run
+   * cannot be replayed exactly. Decided: enough for more than an hour of stick commands at 20 Hz,
+   * and negligible for any machine.
    */
-  private static final int MOST = 8 << 20;
+  private static final int MOST = 12 << 20;
 
-  /** Part of the heap that may be used for it, as long as that is less. */
+  /** The history takes at most 1/32 of the heap. */
   private static final long SHARE_OF_HEAP = 32;
 
   private final long most;
@@ -31,33 +39,50 @@ final class InputHistory {
   }
 
   /**
-   * @param most what is kept [bytes]
+   * Creates an empty history.
+   *
+   * @param most maximum size of the history [bytes]
    */
   InputHistory(long most) {
     this.most = most;
   }
 
-  /** Takes the next entry, and returns its line, if it is an input. */
+  /** Processes the next entry; returns its line if the entry is an input. */
   Optional<String> take(Entry entry) {
-    if (entry instanceof Entry.Anew anew) {
-      begin(anew);
+    if (entry instanceof Entry.NewRun newRun) {
+      begin(newRun);
     } else if (entry instanceof Entry.Asked asked) {
       start = start.map(from -> from.withChallenge(asked.challenge()));
     } else if (entry instanceof Entry.Overrun || entry instanceof Entry.Missed) {
       forget();
-    } else if (begun && entry instanceof Entry.Received received) {
-      return Optional.of(kept(InputLines.text(received)));
-    } else if (begun && entry instanceof Entry.Taken taken) {
-      return Optional.of(kept(InputLines.text(taken)));
+    } else if (begun && entry instanceof Entry.Input input) {
+      return Optional.of(kept(line(input)));
     }
     return Optional.empty();
   }
 
-  private void begin(Entry.Anew anew) {
+  /** Formats the initial conditions as the first line of the inputs. */
+  static String line(InitialConditions start) {
+    return Json.text(start.json()) + "\n";
+  }
+
+  private static String line(Entry.Input entry) {
+    SimInput plain = entry.input();
+    if (plain instanceof SimInput.Dropped dropped) { // the reason is kept as English text
+      Phrase reason = Phrase.of("%s", dropped.reason().english());
+      plain = new SimInput.Dropped(dropped.drone(), dropped.host(), dropped.count(), reason);
+    }
+    Map<String, Object> members = new LinkedHashMap<>();
+    members.put("step", entry.time().nanos() / SimTime.STEP_NANOS);
+    members.put("input", JsonRecords.write(SimInput.class, plain));
+    return Json.text(members) + "\n";
+  }
+
+  private void begin(Entry.NewRun newRun) {
     lines.reset();
-    begun = anew.start().isPresent();
+    begun = newRun.start().isPresent();
     complete = begun;
-    start = anew.start();
+    start = newRun.start();
   }
 
   private String kept(String line) {
@@ -75,19 +100,19 @@ final class InputHistory {
     lines.reset();
   }
 
-  /** Whether there are inputs that can be told, unlike those of a real drone. */
+  /** Whether the initial conditions are known; for a real drone, they are not. */
   boolean begun() {
     return begun;
   }
 
-  /** Whether nothing is missing. */
+  /** Whether the history contains every input. */
   boolean complete() {
     return complete;
   }
 
-  /** The lines of all inputs until now; none if some are missing. */
+  /** The lines of all inputs until now; empty if some are missing. */
   String text() {
-    String first = complete ? start.map(InputLines::text).orElse("") : "";
+    String first = complete ? start.map(InputHistory::line).orElse("") : "";
     return first + lines.toString(StandardCharsets.US_ASCII);
   }
 }

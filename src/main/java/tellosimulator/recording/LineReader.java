@@ -10,12 +10,15 @@ import java.util.Optional;
 import tellosimulator.files.IrregularFileException;
 
 /**
- * Reads a text file that may be longer than memory, line by line. What comes after the last end of
- * a line was cut off and is left out. For one thread.
+ * Reads a text file line by line, so that it may be larger than memory. Text after the last line
+ * end is an incomplete line, and is ignored. Not thread-safe.
  */
 public final class LineReader implements AutoCloseable {
 
-  /** Longest line [bytes]. Decided: a scenario of the largest size, as the first input tells it. */
+  /**
+   * Maximum length of a line [bytes]. Decided: the first line of the inputs may contain a scenario
+   * of the maximum size.
+   */
   private static final int LONGEST = 16 << 20;
 
   private final InputStream in;
@@ -25,9 +28,25 @@ public final class LineReader implements AutoCloseable {
   private int to;
 
   /**
-   * Opens a file; one that is missing has no lines.
+   * Receives the items of a file, one at a time.
    *
-   * @throws IOException if it cannot be read, such as a folder or a pipe
+   * @param <T> the type of an item
+   */
+  @FunctionalInterface
+  public interface Sink<T> {
+
+    /**
+     * Called for each item.
+     *
+     * @throws IOException to stop reading
+     */
+    void accept(T item) throws IOException;
+  }
+
+  /**
+   * Opens a file; a missing file counts as empty.
+   *
+   * @throws IOException if it cannot be read, for example because it is a folder or a pipe
    */
   public LineReader(Path file) throws IOException {
     IrregularFileException.check(file);
@@ -35,9 +54,31 @@ public final class LineReader implements AutoCloseable {
   }
 
   /**
-   * The next line, without its end; empty after the last.
+   * Passes all lines of a file to a sink, one at a time; a missing file counts as empty.
    *
-   * @throws IOException if it cannot be read, or is longer than any that the program writes
+   * @param sink rejects a damaged line with an {@code IllegalArgumentException}
+   * @return the number of rejected lines
+   * @throws IOException if the file cannot be read
+   */
+  static int readAll(Path file, Sink<String> sink) throws IOException {
+    int refused = 0;
+    try (LineReader reader = new LineReader(file)) {
+      for (Optional<String> line = reader.next(); line.isPresent(); line = reader.next()) {
+        try {
+          sink.accept(line.get());
+        } catch (IllegalArgumentException e) {
+          refused++;
+        }
+      }
+    }
+    return refused;
+  }
+
+  /**
+   * Returns the next line without its line end; empty after the last line.
+   *
+   * @throws IOException if the file cannot be read, or the line is longer than any that the program
+   *     writes
    */
   public Optional<String> next() throws IOException {
     line.reset();

@@ -1,18 +1,18 @@
 package tellosimulator.recording;
 
 import java.util.OptionalDouble;
+import tellosimulator.words.Phrase;
 
 /**
- * A command with what became of it. Immutable; for any thread. Times in simulated seconds since the
- * simulation began.
+ * A command and its outcome. Immutable. Times are simulated seconds since the simulation began.
  *
- * @param drone its number, from 1
- * @param sent when it arrived
- * @param text as it was sent, one character a byte
- * @param outcome what became of it
- * @param answered when the reply was sent; empty without one
- * @param reply as it was sent; empty without one
- * @param reason why it was refused, failed or was ignored, in English words; may be empty
+ * @param drone the drone's number, from 1
+ * @param sent the time when the command arrived
+ * @param text the text as it was sent, one character for each byte
+ * @param outcome the outcome of the command
+ * @param answered the time when the reply was sent; empty without a reply
+ * @param reply the reply as it was sent; empty without a reply
+ * @param reason why the command was refused, failed or ignored; may be empty
  */
 public record RecordedCommand(
     int drone,
@@ -21,30 +21,36 @@ public record RecordedCommand(
     Outcome outcome,
     OptionalDouble answered,
     String reply,
-    String reason) {
+    Phrase reason) {
 
-  /** What became of a command. */
+  /** The outcome of a command. */
   public enum Outcome {
-    /** The drone answered that it was carried out, or with a value. */
+    /** The drone reported success, or replied with a value. */
     ANSWERED,
-    /** It needs no reply, as {@code rc}, or none was recorded. */
+    /** The command needs no reply (for example {@code rc}), or no reply was recorded. */
     UNANSWERED,
-    /** The drone refused it before it began. */
+    /** The drone refused the command before it began. */
     REFUSED,
-    /** It began, but came to another end. */
+    /** The command began, but did not succeed. */
     FAILED,
-    /** The drone did not react to it. */
+    /** The drone did not react to the command. */
     IGNORED,
-    /** It, or its reply, was lost on the way. */
+    /** The command or its reply was lost in transit. */
     LOST;
 
-    /** Whether its author wanted something else. */
+    /** Whether the operator probably did not intend this outcome. */
     public boolean wrong() {
       return this != ANSWERED && this != UNANSWERED;
     }
   }
 
-  /** How long the reply took [s]; empty without one. */
+  /** Returns a copy of this command with the given outcome. */
+  RecordedCommand ended(
+      Outcome newOutcome, OptionalDouble newAnswered, String newReply, Phrase newReason) {
+    return new RecordedCommand(drone, sent, text, newOutcome, newAnswered, newReply, newReason);
+  }
+
+  /** The time between the command and its reply [s]; empty without a reply. */
   public OptionalDouble duration() {
     return answered.isPresent()
         ? OptionalDouble.of(Math.max(0, answered.getAsDouble() - sent))

@@ -3,20 +3,19 @@ package tellosimulator.recording;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.function.Consumer;
 
 /**
- * A line of {@code wire.jsonl}. Immutable; for any thread.
+ * A line of {@code wire.jsonl}. Immutable.
  *
- * @param time when it was taken or sent, simulated seconds since the simulation began
- * @param drone its number, from 1
+ * @param time when the datagram was applied or sent, in simulated seconds since the simulation
+ *     began
+ * @param drone the drone's number, from 1
  * @param kind {@code command}, {@code reply}, {@code state} or {@code video}
- * @param from host and port, as {@code 127.0.0.1:8889}
- * @param to host and port
- * @param text one character a byte (ISO-8859-1); empty for video
- * @param videoSize of video alone, whose bytes are not kept
+ * @param from the host and port of the sender, such as {@code 127.0.0.1:8889}
+ * @param to the host and port of the receiver
+ * @param text the payload, one character for each byte (ISO-8859-1); empty for video
+ * @param videoSize size of a video datagram [bytes]; its contents are not recorded
  */
 public record RecordedDatagram(
     double time,
@@ -27,7 +26,7 @@ public record RecordedDatagram(
     String text,
     OptionalInt videoSize) {
 
-  /** The longest payload [bytes]. Documented: RFC 768 within RFC 791. */
+  /** Maximum length of a payload [bytes]. Documented: RFC 768 and RFC 791. */
   private static final int LONGEST = 65_507;
 
   static RecordedDatagram of(Fields fields) {
@@ -42,35 +41,28 @@ public record RecordedDatagram(
   }
 
   /**
-   * Hands on all of a recording, one after another: they may be more than fit into memory. Those
-   * that are damaged are left out.
+   * Passes all datagrams of a recording to a sink one at a time, because they may not fit into
+   * memory. Damaged lines are skipped.
    *
-   * @param folder of a recording; nothing happens if it keeps none
-   * @throws IOException if they cannot be read
+   * @param folder the folder of a recording; it may contain no datagrams
+   * @throws IOException if the datagrams cannot be read
    */
-  public static void readAll(Path folder, Consumer<RecordedDatagram> consumer) throws IOException {
-    try (LineReader reader = new LineReader(RecordingFile.WIRE.in(folder))) {
-      for (Optional<String> line = reader.next(); line.isPresent(); line = reader.next()) {
-        try {
-          consumer.accept(of(Fields.of(line.get())));
-        } catch (IllegalArgumentException e) {
-          // it is damaged
-        }
-      }
-    }
+  public static void readAll(Path folder, LineReader.Sink<RecordedDatagram> sink)
+      throws IOException {
+    LineReader.readAll(RecordingFile.WIRE.in(folder), line -> sink.accept(of(Fields.of(line))));
   }
 
-  /** What was in it, as far as it is kept. */
+  /** The payload, as far as it is recorded. */
   public byte[] payload() {
     return text.getBytes(StandardCharsets.ISO_8859_1);
   }
 
-  /** Whether UDP can carry it. */
+  /** Whether UDP can carry a payload of this size. */
   public boolean isPossible() {
     return length() >= 0 && length() <= LONGEST && text.length() <= LONGEST;
   }
 
-  /** How long it was [bytes]. */
+  /** The length of the payload [bytes]. */
   public int length() {
     return videoSize.orElse(text.length());
   }

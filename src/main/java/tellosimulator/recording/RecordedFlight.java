@@ -7,15 +7,16 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.words.Phrase;
 
 /**
- * A recording, as far as it can be read. Immutable; for any thread.
+ * The readable contents of a recording. Immutable.
  *
- * @param run what is known of it as a whole
- * @param tracks how the drones moved, in the order of their numbers
- * @param commands with their replies, in the order in which they came
- * @param events in the order in which they happened
- * @param goals of the scenario
- * @param scenario as it was flown; empty if it was not kept, or cannot be read
- * @param remarks what is missing, in one clause each
+ * @param run the general data of the flight
+ * @param tracks the motion of the drones, in order of their numbers; thinned out for long flights
+ * @param commands the commands with their replies, in order of arrival
+ * @param events the events in order, except events that only report the arrival or outcome of a
+ *     command
+ * @param goals the goals of the scenario
+ * @param scenario the scenario as it was flown; empty if it was not recorded or cannot be read
+ * @param remarks a clause about each part that is missing
  */
 public record RecordedFlight(
     RecordedRun run,
@@ -26,7 +27,7 @@ public record RecordedFlight(
     Optional<Scenario> scenario,
     List<Phrase> remarks) {
 
-  /** How long before the takeoff a flight is shown at the most [s]. Decided. */
+  /** Maximum time from the beginning of the shown part to the takeoff [s]. Decided. */
   private static final double LONGEST_LEAD = 10;
 
   public RecordedFlight {
@@ -40,30 +41,46 @@ public record RecordedFlight(
   /**
    * Reads a recording.
    *
-   * @param folder in which it is
-   * @throws UnreadableRecordingException with a sentence, if there is none
+   * @param folder the recording's folder
+   * @throws UnreadableRecordingException if the folder contains no readable recording; the message
+   *     is one sentence
    */
   public static RecordedFlight read(Path folder) throws UnreadableRecordingException {
     return new RecordingReader(folder).read();
   }
 
   /**
-   * Reads what is known of a recording as a whole, however long it is: nothing but {@link #run},
-   * {@link #scenario} and {@link #remarks}.
+   * Reads a recording without its {@link #tracks}.
    *
-   * @param folder in which it is
-   * @throws UnreadableRecordingException with a sentence, if there is none
+   * @param folder the recording's folder
+   * @throws UnreadableRecordingException if the folder contains no readable recording; the message
+   *     is one sentence
+   */
+  public static RecordedFlight readCommands(Path folder) throws UnreadableRecordingException {
+    return new RecordingReader(folder).readCommands();
+  }
+
+  /**
+   * Reads only {@link #run}, {@link #scenario} and {@link #remarks}, so that reading a long
+   * recording takes no longer than reading a short one.
+   *
+   * @param folder the recording's folder
+   * @throws UnreadableRecordingException if the folder contains no readable recording; the message
+   *     is one sentence
    */
   public static RecordedFlight readOutline(Path folder) throws UnreadableRecordingException {
     return new RecordingReader(folder).readOutline();
   }
 
-  /** The first moment that is shown to people: that of a long wait for a takeoff is not [s]. */
+  /**
+   * The time at which the part shown to users begins [s]; a long wait before the takeoff is left
+   * out.
+   */
   public double shownBegin() {
     return Math.max(begin(), run.started() - LONGEST_LEAD);
   }
 
-  /** The first moment that it tells of [s]. */
+  /** The earliest time in the recording [s]. */
   double begin() {
     double samples =
         tracks.stream()
@@ -74,7 +91,7 @@ public record RecordedFlight(
     return Math.min(run.started(), Math.min(samples, sent));
   }
 
-  /** The last moment that it tells of [s]. */
+  /** The latest time in the recording [s]. */
   public double end() {
     double samples =
         tracks.stream()

@@ -1,11 +1,13 @@
 package tellosimulator.recording;
 
 import java.util.OptionalDouble;
+import tellosimulator.words.Phrase;
 
 /**
- * A goal of the scenario that was flown. Immutable; for any thread.
+ * A goal of the scenario that was flown. Immutable.
  *
- * @param text what to do, in English words
- * @param reached when, in simulated seconds since the simulation began; empty if it was not
+ * @param phrase the description of the goal
+ * @param reached when the goal was reached, in simulated seconds since the simulation began; empty
+ *     if it was not reached
  */
-public record RecordedGoal(String text, OptionalDouble reached) {}
+public record RecordedGoal(Phrase phrase, OptionalDouble reached) {}

@@ -10,19 +10,19 @@ import tellosimulator.math.Vec3;
 import tellosimulator.world.Room;
 
 /**
- * What {@code run.json} says of a flight. Immutable; for any thread. All times in simulated seconds
- * since the simulation began.
+ * The contents of {@code run.json}. Immutable. All times are simulated seconds since the simulation
+ * began.
  *
- * @param program version that recorded it
- * @param seed empty if it is not known, as of a real drone
- * @param timeFactor how fast simulated time passed: {@code 1}, {@code 5} or {@code max}
- * @param begun when the recording began, on the wall clock, by ISO 8601
- * @param started the takeoff
- * @param ended empty if the recording was cut off
- * @param realDrone address of the real drone that flew, of which only the wire is known; empty of a
- *     simulation
+ * @param program the version that recorded the flight
+ * @param seed the random seed; empty if unknown, as for a real drone
+ * @param timeFactor ratio of simulated to real time, such as {@code 1} or {@code 5}, or {@code max}
+ * @param begun the start of the recording by the wall clock, in ISO 8601
+ * @param started the time of the takeoff
+ * @param ended the end of the flight; empty if the recording was cut off
+ * @param realDrone address of the real drone that flew; empty for a simulation
  * @param result {@code reached}, {@code missed}, {@code open} or {@code none}
- * @param setting where it was flown, and by which drones
+ * @param score the points; empty if the goals have none
+ * @param setting the scenario, the room, the drones and the options of the flight
  */
 public record RecordedRun(
     String program,
@@ -33,19 +33,22 @@ public record RecordedRun(
     OptionalDouble ended,
     Optional<String> realDrone,
     String result,
+    Optional<RecordedScore> score,
     Setting setting) {
 
-  /** Most drones. Decided: as many as the command line takes. */
+  /** Maximum number of drones. Decided: as many as the command line accepts. */
   private static final int MOST_DRONES = 250;
 
-  /** The format that this version writes, and the newest that it knows. */
+  /**
+   * The format version that this program writes. It is also the newest version that it can read.
+   */
   static final int FORMAT = 1;
 
   /**
-   * Where a flight was flown, and by which drones.
+   * The scenario, room and drones of a flight, and the options of the program.
    *
    * @param scenario title or file of the scenario; may be empty
-   * @param options words of the command line, as far as they are known
+   * @param options the command-line arguments, as far as they are known
    */
   public record Setting(String scenario, Room room, List<DroneEntry> drones, List<String> options) {
 
@@ -56,12 +59,14 @@ public record RecordedRun(
   }
 
   /**
-   * A drone of a flight.
+   * A drone that took part in a flight.
    *
-   * @param number from 1
-   * @param profile the option's word for what it is: {@code edu}
-   * @param behavior the option's word for the account of it: {@code report}
-   * @param color as {@code #rrggbb}; empty if it is not known
+   * @param number the drone's number, from 1
+   * @param profile the drone's profile in the spelling of the command-line option, such as {@code
+   *     edu}
+   * @param behavior the reference model in the spelling of the command-line option, such as {@code
+   *     report}
+   * @param color the colour as {@code #rrggbb}; empty if unknown
    */
   public record DroneEntry(int number, String profile, String behavior, Pose start, String color) {}
 
@@ -71,7 +76,7 @@ public record RecordedRun(
         .orElse("development");
   }
 
-  /** Whether a drone can have this number. */
+  /** Returns whether a number is a valid drone number. */
   static boolean isNumber(int drone) {
     return drone >= 1 && drone <= MOST_DRONES;
   }
@@ -86,6 +91,7 @@ public record RecordedRun(
         fields.number("ended"),
         Optional.of(fields.text("realDrone")).filter(address -> !address.isEmpty()),
         fields.text("result"),
+        fields.object("score").map(RecordedScore::of),
         new Setting(
             fields.text("scenario"),
             fields.object("room").flatMap(RecordedRun::room).orElse(Room.DEFAULT),

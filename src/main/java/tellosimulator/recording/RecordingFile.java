@@ -11,24 +11,30 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import tellosimulator.files.IrregularFileException;
 
-/** The text files of a recording. Each drone's film stands beside them. */
+/**
+ * The text files of a recording, in the order in which their lines are flushed. The videos of the
+ * drones are stored in the same folder.
+ */
 public enum RecordingFile {
-  /** What is known of the flight as a whole; makes a folder a recording. */
+  /** The general data of the flight. A folder that contains this file is a recording. */
   RUN("run.json"),
-  /** Each datagram, both ways. */
-  WIRE("wire.jsonl"),
-  /** What happened. */
-  EVENTS("events.jsonl"),
-  /** Where the drones were. */
-  FLIGHT("flight.csv"),
-  /** What became of the goals. */
-  GOALS("goals.json"),
-  /** What the simulation began from, and all that came to it since. */
+  /** The initial conditions of the simulation and all of its inputs. */
   INPUTS("inputs.jsonl"),
+  /** All datagrams in both directions. */
+  WIRE("wire.jsonl"),
+  /** The events. */
+  EVENTS("events.jsonl"),
+  /** The samples of the drones' motion. */
+  FLIGHT("flight.csv"),
+  /** The results of the goals. */
+  GOALS("goals.json"),
   /** The scenario as it was flown. */
   SCENARIO("scenario.yaml");
 
-  /** Largest file that is read whole [bytes]. Decided: 250 drones and a long command line. */
+  /**
+   * Largest file that is read as a whole [bytes]. Decided: enough for 250 drones and a long command
+   * line.
+   */
   private static final int LARGEST = 4 << 20;
 
   private static final Pattern FILM = Pattern.compile("(?i)video-[0-9]+\\.mp4");
@@ -43,20 +49,21 @@ public enum RecordingFile {
     return fileName;
   }
 
-  /** Its path in the folder of a recording. */
+  /** Returns the path of the file in the folder of a recording. */
   public Path in(Path folder) {
     return folder.resolve(fileName);
   }
 
-  /** Whether a recording has it, even if it cannot be read. */
+  /** Returns whether a recording contains the file, even if it cannot be read. */
   boolean exists(Path folder) {
     return Files.exists(in(folder));
   }
 
   /**
-   * Reads all of it.
+   * Reads the whole file.
    *
-   * @throws IOException if it is no text, or larger than any that the program writes
+   * @throws IOException if the file is not a text file, or is larger than any that the program
+   *     writes
    */
   String read(Path folder) throws IOException {
     Path file = in(folder);
@@ -71,9 +78,10 @@ public enum RecordingFile {
   }
 
   /**
-   * The folder of a recording that is named by itself or by a file in it.
+   * Returns the folder of a recording.
    *
-   * @return the same path if it leads to no such file
+   * @param place the folder, or a file in it
+   * @return the folder; the given path if it is not a file of a recording
    */
   public static Path folderOf(Path place) {
     Path folder = place.toAbsolutePath().getParent();
@@ -82,15 +90,15 @@ public enum RecordingFile {
   }
 
   /**
-   * Whether a path leads to a file that a recording consists of, so that writing to it would damage
-   * the recording; links are followed.
+   * Returns whether a path leads to a file of a recording. Writing to such a file would damage the
+   * recording. Links are followed.
    */
   public static boolean belongsToRecording(Path path) {
     Path file = path.toAbsolutePath().normalize();
     try {
       file = file.toRealPath();
     } catch (IOException e) {
-      // there is nothing yet
+      // the file does not exist yet
     }
     String name = String.valueOf(file.getFileName());
     boolean reserved =

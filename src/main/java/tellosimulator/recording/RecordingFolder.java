@@ -3,40 +3,40 @@ package tellosimulator.recording;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.nio.file.DirectoryIteratorException;
-import java.nio.file.DirectoryStream;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.files.IoReason;
 import tellosimulator.time.WallTime;
 
 /**
- * The folder in which recordings are kept, each in a folder of its own. Several programs may use it
- * at the same time. For any thread.
+ * A folder that contains one folder for each recording. Several programs may use it at the same
+ * time. Thread-safe.
  */
 public final class RecordingFolder {
 
   private static final Logger LOG = LoggerFactory.getLogger(RecordingFolder.class);
 
-  /** Longest name of a scenario in the name of a folder [characters]. Decided. */
+  /** Maximum length of the scenario's name within the name of a recording [characters]. Decided. */
   private static final int LONGEST_TITLE = 40;
 
-  /** Recordings that begin in the same second. Decided: more than anybody starts. */
+  /**
+   * Maximum number of recordings that begin within one second. Decided: more than a user can start.
+   */
   private static final int MOST_ALIKE = 10_000;
 
-  /** How {@link #create} names folders. */
+  /** The pattern of the names that {@link #create} assigns. */
   private static final Pattern NAME =
       Pattern.compile("[0-9]{4}-[0-9]{2}-[0-9]{2}_[0-9]{2}-[0-9]{2}-[0-9]{2}_.*");
 
@@ -46,11 +46,11 @@ public final class RecordingFolder {
   private final List<Path> made = new CopyOnWriteArrayList<>();
   private volatile Optional<Path> latest = Optional.empty();
 
-  /** Makes the files of recordings. */
+  /** Creates the files of recordings. */
   @FunctionalInterface
   interface Disk {
 
-    /** A file that is new and empty; what is written to it reaches the system at once. */
+    /** Creates a new, empty file. Writes to it reach the operating system immediately. */
     OutputStream create(Path file) throws IOException;
   }
 
@@ -60,15 +60,16 @@ public final class RecordingFolder {
     this.disk = disk;
   }
 
-  /** One in which all recordings are kept. */
+  /** Returns an object for a folder in which all recordings are kept. */
   public static RecordingFolder at(Path path) {
     return keeping(path, Integer.MAX_VALUE);
   }
 
   /**
-   * One in which the latest recordings are kept, and older ones are deleted when another begins.
+   * Returns an object for a folder in which only the latest recordings are kept. When a recording
+   * begins, older ones are deleted.
    *
-   * @param count how many are kept
+   * @param count the number of recordings to keep
    */
   public static RecordingFolder keeping(Path path, int count) {
     return new RecordingFolder(
@@ -87,10 +88,10 @@ public final class RecordingFolder {
   }
 
   /**
-   * Makes a folder for a recording, which nobody else has.
+   * Creates a folder with a unique name for a recording.
    *
-   * @param title of the scenario; may be empty
-   * @throws IOException if there can be none
+   * @param title title of the scenario; may be empty
+   * @throws IOException if the folder cannot be created
    */
   Path create(WallTime begun, String title) throws IOException {
     Files.createDirectories(path);
@@ -107,22 +108,22 @@ public final class RecordingFolder {
     throw new FileAlreadyExistsException(path.resolve(name).toString());
   }
 
-  /** The folders of recordings that were made through this object, the first one first. */
+  /** The folders of the recordings created by this object, in order of creation. */
   public List<Path> made() {
     return List.copyOf(made);
   }
 
-  /** Of the recordings that were made through this object, the one that was finished last. */
+  /** The most recently finished of the recordings created by this object. */
   public Optional<Path> latest() {
     return latest;
   }
 
-  /** Nothing more is written into the folder of a recording. */
+  /** Marks a recording as finished: no more data will be written to it. */
   void finished(Path recording) {
     latest = Optional.of(recording);
   }
 
-  /** A title as any file system takes it. */
+  /** Returns a title with only those characters that every file system accepts. */
   private static String plain(String title) {
     String plain = title.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
     String cut = plain.substring(0, Math.min(LONGEST_TITLE, plain.length()));
@@ -130,7 +131,10 @@ public final class RecordingFolder {
     return bare.isEmpty() ? "flight" : bare;
   }
 
-  /** Deletes the oldest recordings, if there are too many; what cannot be deleted stays. */
+  /**
+   * Deletes the oldest recordings if there are too many. Recordings that cannot be deleted are left
+   * in place.
+   */
   void deleteOld() {
     if (kept == Integer.MAX_VALUE) {
       return;
@@ -138,50 +142,54 @@ public final class RecordingFolder {
     try {
       List<Path> recordings = recordings();
       for (Path old : recordings.subList(0, Math.max(0, recordings.size() - kept))) {
-        delete(old);
+        deleteOld(old);
       }
     } catch (IOException | UncheckedIOException e) {
       LOG.warn("Old recordings in {} could not be deleted: {}", path, e.getMessage());
     }
   }
 
-  /** All that were made here, the oldest first. */
+  /** All recordings in this folder, in order from the oldest to the newest. */
   private List<Path> recordings() throws IOException {
-    List<Path> found = new ArrayList<>();
-    try (DirectoryStream<Path> folders = Files.newDirectoryStream(path)) {
-      for (Path folder : folders) {
-        if (NAME.matcher(folder.getFileName().toString()).matches()
-            && Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)
-            && Files.isRegularFile(RecordingFile.RUN.in(folder), LinkOption.NOFOLLOW_LINKS)) {
-          found.add(folder);
-        }
-      }
-    } catch (DirectoryIteratorException e) {
-      throw e.getCause();
+    try (Stream<Path> folders = Files.list(path)) {
+      return folders
+          .filter(folder -> NAME.matcher(folder.getFileName().toString()).matches())
+          .filter(folder -> Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS))
+          .filter(
+              folder ->
+                  Files.isRegularFile(RecordingFile.RUN.in(folder), LinkOption.NOFOLLOW_LINKS))
+          .sorted(Comparator.comparing(folder -> folder.getFileName().toString()))
+          .toList();
     }
-    found.sort(Comparator.comparing(folder -> folder.getFileName().toString()));
-    return found;
   }
 
-  /** Deletes a recording, but nothing in which somebody keeps folders of his own. */
-  private static void delete(Path recording) {
-    try {
-      List<Path> files = new ArrayList<>();
-      try (DirectoryStream<Path> all = Files.newDirectoryStream(recording)) {
-        all.forEach(files::add);
+  /** Deletes a recording that is too old, unless the user has added folders to it. */
+  private static void deleteOld(Path recording) {
+    try (Stream<Path> files = Files.list(recording)) {
+      if (files.noneMatch(file -> Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS))) {
+        delete(recording);
       }
-      if (files.stream().anyMatch(file -> Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS))) {
-        return;
-      }
-      files.sort(
-          Comparator.comparing(
-              file -> file.endsWith(RecordingFile.RUN.fileName()))); // last: it says what this is
-      for (Path file : files) {
-        Files.delete(file);
-      }
-      Files.delete(recording);
     } catch (IOException e) {
       LOG.warn("The old recording {} could not be deleted: {}", recording, IoReason.of(e));
     }
+  }
+
+  /**
+   * Deletes a recording. Its {@code run.json} is deleted last, because this file marks the folder
+   * as a recording.
+   *
+   * @throws IOException if a file cannot be deleted
+   */
+  public static void delete(Path recording) throws IOException {
+    List<Path> files;
+    try (Stream<Path> all = Files.list(recording)) {
+      Comparator<Path> runLast =
+          Comparator.comparing(file -> file.endsWith(RecordingFile.RUN.fileName()));
+      files = all.sorted(runLast).toList();
+    }
+    for (Path file : files) {
+      Files.delete(file);
+    }
+    Files.delete(recording);
   }
 }

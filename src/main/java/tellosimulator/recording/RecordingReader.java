@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.stream.Stream;
 import tellosimulator.files.IoReason;
 import tellosimulator.json.Json;
@@ -15,7 +14,10 @@ import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.words.Phrase;
 
-/** Reads the files of a recording, and notes what is missing. For one thread, once. */
+/**
+ * Reads the files of a recording and collects remarks on missing parts. Not thread-safe; an
+ * instance can be used only once.
+ */
 final class RecordingReader {
 
   private final Path folder;
@@ -27,20 +29,40 @@ final class RecordingReader {
 
   RecordedFlight read() throws UnreadableRecordingException {
     RecordedRun run = run();
-    List<Track> tracks = run.realDrone().isPresent() ? estimatedTracks() : tracks();
+    List<Track> tracks = tracks();
+    if (run.realDrone().isPresent()) {
+      remarkOnRealDrone(tracks);
+    }
+    return read(run, tracks);
+  }
+
+  /** Reads everything except the tracks. */
+  RecordedFlight readCommands() throws UnreadableRecordingException {
+    return read(run(), List.of());
+  }
+
+  private RecordedFlight read(RecordedRun run, List<Track> tracks) {
     List<RecordedEvent> events = new ArrayList<>();
     CommandPairing pairing = new CommandPairing();
-    readLines(RecordingFile.EVENTS, line -> events.add(RecordedEvent.of(Fields.of(line))));
-    if (events.isEmpty()) {
+    boolean[] told = {false};
+    readLines(
+        RecordingFile.EVENTS,
+        line -> {
+          RecordedEvent event = RecordedEvent.of(Fields.of(line));
+          told[0] = true;
+          pairing.take(event);
+          if (!event.isOfCommand()) {
+            events.add(event);
+          }
+        });
+    if (!told[0]) {
       readLines(RecordingFile.WIRE, line -> takeFromWire(pairing, line));
-    } else {
-      events.forEach(pairing::take);
     }
     return new RecordedFlight(
         run, tracks, pairing.commands(), events, goals(), scenario(), remarks);
   }
 
-  /** What is known of it as a whole. */
+  /** Reads only the general data. */
   RecordedFlight readOutline() throws UnreadableRecordingException {
     return new RecordedFlight(
         run(), List.of(), List.of(), List.of(), List.of(), scenario(), remarks);
@@ -93,7 +115,7 @@ final class RecordingReader {
     }
   }
 
-  /** The recordings in a folder that is none itself, so that one can be named. */
+  /** Suggests a recording inside a folder that is not a recording itself. */
   private String nearby() {
     try (Stream<Path> below = Files.list(folder)) {
       return below
@@ -108,30 +130,12 @@ final class RecordingReader {
   }
 
   private List<Track> tracks() {
-    FlightCsvReader[] table = new FlightCsvReader[1];
-    readLines(
-        RecordingFile.FLIGHT,
-        line -> {
-          if (table[0] == null) {
-            table[0] = new FlightCsvReader(line);
-          } else {
-            table[0].take(line);
-          }
-        });
-    return table[0] == null ? List.of() : table[0].tracks();
+    Track.Builder tracks = new Track.Builder();
+    read(RecordingFile.FLIGHT, () -> FlightCsvReader.readAll(folder, tracks::add));
+    return tracks.tracks();
   }
 
-  /** Those of a real drone, of which nobody knows where it was. */
-  private List<Track> estimatedTracks() {
-    EstimatedTrack estimated = new EstimatedTrack();
-    readLines(
-        RecordingFile.WIRE,
-        line -> {
-          if (line.contains("\"state\"")) {
-            estimated.take(Fields.of(line));
-          }
-        });
-    List<Track> tracks = estimated.tracks();
+  private void remarkOnRealDrone(List<Track> tracks) {
     remarks.add(
         tracks.isEmpty()
             ? Phrase.of(
@@ -140,10 +144,12 @@ final class RecordingReader {
             : Phrase.of(
                 "a real drone flew: its path is summed up from the speeds in its state lines, and"
                     + " the room is not known"));
-    return tracks;
   }
 
-  /** State and video are most of the wire; they are not looked into. */
+  /**
+   * Parses a line if it may be a command or a reply. Lines of state and video, which are the
+   * majority, are not parsed.
+   */
   private static void takeFromWire(CommandPairing pairing, String line) {
     if (line.contains("\"command\"") || line.contains("\"reply\"")) {
       pairing.take(Fields.of(line));
@@ -157,7 +163,7 @@ final class RecordingReader {
     try {
       return Json.value(RecordingFile.GOALS.read(folder)) instanceof List<?> items
           ? Fields.objects(items).stream()
-              .map(goal -> new RecordedGoal(goal.text("text"), goal.number("reached")))
+              .map(goal -> new RecordedGoal(goal.phrase("said", "text"), goal.number("reached")))
               .toList()
           : List.of();
     } catch (IllegalArgumentException | IOException e) {
@@ -178,26 +184,25 @@ final class RecordingReader {
     }
   }
 
-  /**
-   * Hands the lines of a file on, if there is one.
-   *
-   * @param consumer refuses a line by an {@code IllegalArgumentException}
-   */
-  private void readLines(RecordingFile file, Consumer<String> consumer) {
-    int refused = 0;
-    try (LineReader reader = new LineReader(file.in(folder))) {
-      for (Optional<String> line = reader.next(); line.isPresent(); line = reader.next()) {
-        try {
-          consumer.accept(line.get());
-        } catch (IllegalArgumentException e) {
-          refused++;
-        }
+  /** Reads a file, and returns the number of damaged lines. */
+  @FunctionalInterface
+  private interface Reading {
+    int read() throws IOException;
+  }
+
+  /** Passes the lines of a file to a sink, if the file exists. */
+  private void readLines(RecordingFile file, LineReader.Sink<String> sink) {
+    read(file, () -> LineReader.readAll(file.in(folder), sink));
+  }
+
+  private void read(RecordingFile file, Reading reading) {
+    try {
+      int refused = reading.read();
+      if (refused > 0) {
+        remarks.add(Phrase.of("%d lines of %s are damaged and left out", refused, file.fileName()));
       }
     } catch (IOException e) {
       remarkUnreadable(file);
-    }
-    if (refused > 0) {
-      remarks.add(Phrase.of("%d lines of %s are damaged and left out", refused, file.fileName()));
     }
   }
 

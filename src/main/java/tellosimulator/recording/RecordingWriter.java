@@ -16,26 +16,32 @@ import tellosimulator.files.IoReason;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.WireTap.Kind;
 import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimInput;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.words.Phrase;
 
 /**
- * Writes what the recorder saw. An error ends the recording of the flight, with a sentence; the
- * next flight is tried anew. For a thread of its own.
+ * Writes the entries of the recorder. An error ends the recording of the current flight, and is
+ * reported to users in one sentence. Recording resumes with the next flight. Runs on its own
+ * thread, unless the recorder is stepped or keeps flights in memory.
  */
 final class RecordingWriter implements Agent {
 
   private static final Logger LOG = LoggerFactory.getLogger(RecordingWriter.class);
 
   /**
-   * From writing to writing [ns]. Decided: a program that is killed loses half a second at most.
+   * Interval between writes [ns]. Decided: if the program is killed, at most half a second of data
+   * is lost.
    */
   private static final long PERIOD = 250_000_000;
 
-  /** What is taken before it is handed to the system, however much waits. */
+  /**
+   * Maximum weight of the entries written between flushes. Decided: these make a few megabytes of
+   * text.
+   */
   private static final int AT_ONCE = 20_000;
 
-  /** Lines of what came before a takeoff that belong to the flight. Decided. */
+  /** Maximum number of entries before the takeoff that are included in the flight. Decided. */
   private static final int MOST_BEFORE = 1000;
 
   private final ErrorPolicy failed = ErrorPolicy.goOn("A recording failed");
@@ -50,17 +56,23 @@ final class RecordingWriter implements Agent {
   private final List<FlightRowState> rows = new ArrayList<>();
   private Optional<FlightFiles> files = Optional.empty();
 
-  /** Whether a flight has begun, even if it cannot be recorded. */
+  /** Whether a flight is in progress, even if it cannot be recorded. */
   private boolean flight;
 
   /**
-   * Where a recorder puts what it sees.
+   * The objects from which a writer gets its data.
    *
-   * @param queue what waits to be written
-   * @param films what drones film
-   * @param inputs what came to the simulation, until what waits
+   * @param queue the entries to be written
+   * @param films the recorders of the drones' videos
+   * @param inputs the inputs of the simulation that are earlier than the inputs in the queue
    */
-  record Sources(EntryQueue queue, VideoRecorders films, InputHistory inputs) {}
+  record Sources(EntryQueue queue, VideoRecorders films, InputHistory inputs) {
+
+    /** Creates the sources of a writer, with recorders for the videos of a number of drones. */
+    Sources(EntryQueue queue, int filmed) {
+      this(queue, new VideoRecorders(filmed), new InputHistory());
+    }
+  }
 
   RecordingWriter(
       Sources sources, RecordingFolder folder, FlightSource source, Consumer<Phrase> told) {
@@ -86,12 +98,16 @@ final class RecordingWriter implements Agent {
     return Outcome.WORKED;
   }
 
-  /** Takes what waits, but no more than may be lost. */
+  /**
+   * Writes waiting entries until {@link #AT_ONCE} is reached, and flushes the files. Returns
+   * whether more entries may be waiting.
+   */
   private boolean work() {
     boolean more = true;
-    for (int i = 0; more && i < AT_ONCE; i++) {
+    for (int weight = 0; more && weight < AT_ONCE; ) {
       Optional<Entry> next = queue.poll();
       more = next.isPresent();
+      weight += next.map(Entry::weight).orElse(0);
       next.ifPresent(this::take);
     }
     flush();
@@ -102,7 +118,7 @@ final class RecordingWriter implements Agent {
     try {
       Optional<String> input = inputs.take(entry);
       if (files.isPresent() && input.isPresent()) {
-        files.get().input(input.get());
+        files.get().add(RecordingFile.INPUTS, input.get());
       }
       if (entry instanceof Entry.Begin begin) {
         begin(begin);
@@ -110,7 +126,7 @@ final class RecordingWriter implements Agent {
         end(end);
       } else if (entry instanceof Entry.Overrun) {
         overrun();
-      } else if (entry instanceof Entry.Anew) {
+      } else if (entry instanceof Entry.NewRun) {
         before.clear();
         rows.replaceAll(row -> new FlightRowState());
       } else if (files.isPresent()) {
@@ -136,12 +152,12 @@ final class RecordingWriter implements Agent {
     folder.deleteOld();
   }
 
-  /** Keeps what may belong to the next flight. */
+  /** Buffers an entry that may belong to the next flight. */
   private void keep(Entry entry) {
     learn(entry);
     boolean line =
         entry instanceof Entry.Happened
-            || entry instanceof Entry.Received
+            || entry instanceof Entry.Input
             || (entry instanceof Entry.Sent sent && sent.kind() == Kind.REPLY);
     if (line && !flight) {
       before.addLast(entry);
@@ -151,17 +167,17 @@ final class RecordingWriter implements Agent {
     }
   }
 
-  /** What later rows of the table tell. */
+  /** Updates the values that later rows of the table contain. */
   private void learn(Entry entry) {
     if (entry instanceof Entry.Happened happened
         && happened.event() instanceof SimEvent.ForDrone event) {
       rows.get(event.drone() - 1).take(event);
     } else if (entry instanceof Entry.Sent sent && sent.kind() == Kind.STATE) {
-      rows.get(sent.drone() - 1).report(RecordingFormat.text(sent));
+      rows.get(sent.drone() - 1).report(sent.text());
     }
   }
 
-  private void write(FlightFiles to, Entry entry) throws IOException {
+  private void write(FlightFiles to, Entry entry) {
     learn(entry);
     if (entry instanceof Entry.Sampled sampled) {
       for (DroneSnapshot drone : sampled.snapshot().drones()) {
@@ -169,31 +185,31 @@ final class RecordingWriter implements Agent {
         if (drone.state().phase() == FlightPhase.OFF) {
           row.forgetCommands();
         }
-        RecordingFormat.write(to.table().row(), sampled.snapshot().time(), drone, row);
+        Sample sample = RecordingFormat.sample(sampled.snapshot().time(), drone, row);
+        to.add(
+            RecordingFile.FLIGHT,
+            RecordingFormat.row(drone.state().drone(), sample, row.sticks(), row.sensors()));
       }
-      to.flushIfLarge(to.table());
     } else {
       line(to, entry);
     }
   }
 
-  private void line(FlightFiles to, Entry entry) throws IOException {
+  private void line(FlightFiles to, Entry entry) {
     if (entry instanceof Entry.Happened happened) {
-      RecordingFormat.write(to.events().row(), happened);
-      to.flushIfLarge(to.events());
-    } else if (entry instanceof Entry.Received received) {
-      lines.write(to.wire().row(), received, to.begun());
-      to.flushIfLarge(to.wire());
+      to.add(RecordingFile.EVENTS, RecordingFormat.line(happened));
+    } else if (entry instanceof Entry.Input input
+        && input.input() instanceof SimInput.Datagram datagram) {
+      to.add(RecordingFile.WIRE, RecordingFormat.line(input, datagram, to.begun()));
     } else if (entry instanceof Entry.Sent sent) {
-      source.sent(sent, films);
-      lines.write(to.wire().row(), sent, to.begun());
-      to.flushIfLarge(to.wire());
+      source.sent(sent, to, films);
+      to.add(RecordingFile.WIRE, lines.line(sent, to.begun()));
     }
   }
 
   private void end(Entry.End end) throws IOException {
     flight = false;
-    List<VideoRecorders.Kept> kept = films.end();
+    List<VideoRecorders.RecordedVideo> kept = films.end();
     if (files.isPresent()) {
       files.get().finish(end, kept);
       folder.finished(files.get().folder());
@@ -256,7 +272,7 @@ final class RecordingWriter implements Agent {
     return failed;
   }
 
-  /** Writes all that waits. */
+  /** Writes all waiting entries. */
   void writeWaiting() {
     boolean more = true;
     while (more) {
@@ -264,7 +280,7 @@ final class RecordingWriter implements Agent {
     }
   }
 
-  /** Writes what still waits. */
+  /** Writes the remaining entries. */
   @Override
   public void onClose() {
     writeWaiting();

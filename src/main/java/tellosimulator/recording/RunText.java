@@ -2,66 +2,70 @@ package tellosimulator.recording;
 
 import java.net.InetAddress;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import tellosimulator.goal.Goal;
 import tellosimulator.json.Json;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
+import tellosimulator.recording.VideoRecorders.RecordedVideo;
 import tellosimulator.scenery.drone.Livery;
-import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
 
-/** What {@code run.json} says, at the beginning and at the end. For the writer's thread. */
+/**
+ * Formats {@code run.json} at the beginning and at the end of a flight, and {@code goals.json}.
+ * Confined to the writer's thread.
+ */
 final class RunText {
 
-  private final Map<String, Object> members = new LinkedHashMap<>();
+  private final Map<String, Object> members;
 
-  private RunText() {
-    members.put("format", RecordedRun.FORMAT);
-    members.put("program", RecordedRun.version());
+  private RunText(Map<String, Object> members) {
+    this.members = members;
   }
 
-  private void putTimes(String factor, Entry.Begin begin) {
-    members.put("timeFactor", factor);
-    members.put("begun", begin.wall().iso());
-    members.put("started", Json.rounded(begin.time().seconds()));
-  }
-
-  /** Of a simulated flight. */
+  /** Creates the formatter for a simulated flight. */
   static RunText of(FlightRecorder.Subject subject, Entry.Begin begin, InputHistory inputs) {
     SimSnapshot snapshot = begin.snapshot().orElseThrow();
-    RunText text = new RunText();
-    Map<String, Object> members = text.members;
-    members.put("seed", subject.scenario().config().seed());
-    text.putTimes(factor(snapshot.clock().factor()), begin);
-    members.put("scenario", subject.title());
-    members.put("room", room(snapshot.room()));
-    members.put("drones", snapshot.drones().stream().map(RunText::drone).toList());
-    members.put("options", subject.options());
-    if (inputs.begun()) {
-      members.put("inputs", inputs.complete() ? "all" : "incomplete");
-    }
-    return text;
+    String known = inputs.complete() ? "all" : "incomplete";
+    return new RunText(
+        Json.object(
+            "format", RecordedRun.FORMAT,
+            "program", RecordedRun.version(),
+            "seed", subject.scenario().config().seed(),
+            "timeFactor", factor(snapshot.clock().factor()),
+            "begun", begin.wall().iso(),
+            "started", begin.time().seconds(),
+            "scenario", subject.title(),
+            "room", room(snapshot.room()),
+            "drones", snapshot.drones().stream().map(RunText::drone).toList(),
+            "options", subject.options(),
+            "inputs", inputs.begun() ? Optional.of(known) : Optional.empty()));
   }
 
   /**
-   * Of the flight of a real drone, of which only the wire is known.
+   * Creates the formatter for the flight of a real drone.
    *
-   * @param drone its address
-   * @param options words of the command line
+   * @param drone the drone's address
+   * @param options the command-line arguments
    */
   static RunText of(InetAddress drone, List<String> options, Entry.Begin begin) {
-    RunText text = new RunText();
-    text.members.put("realDrone", drone.getHostAddress());
-    text.putTimes("1", begin);
-    text.members.put("drones", List.of(Map.of("number", 1)));
-    text.members.put("options", options);
-    return text;
+    return new RunText(
+        Json.object(
+            "format", RecordedRun.FORMAT,
+            "program", RecordedRun.version(),
+            "realDrone", drone.getHostAddress(),
+            "timeFactor", "1",
+            "begun", begin.wall().iso(),
+            "started", begin.time().seconds(),
+            "drones", List.of(Map.of("number", 1)),
+            "options", options));
   }
 
   private static String factor(TimeFactor factor) {
@@ -69,53 +73,65 @@ final class RunText {
   }
 
   private static Map<String, Object> room(Room room) {
-    Map<String, Object> sizes = new LinkedHashMap<>();
-    sizes.put("width", centimeters(room.width()));
-    sizes.put("depth", centimeters(room.depth()));
-    sizes.put("height", centimeters(room.height()));
-    return sizes;
+    return Json.object(
+        "width", Frames.centimeters(room.width()),
+        "depth", Frames.centimeters(room.depth()),
+        "height", Frames.centimeters(room.height()));
   }
 
   private static Map<String, Object> drone(DroneSnapshot drone) {
-    Map<String, Object> start = new LinkedHashMap<>();
     Vec3 place = drone.start().position();
-    start.put("x", centimeters(place.x()));
-    start.put("y", centimeters(place.y()));
-    start.put("heading", Json.rounded(Frames.yawOfHeading(drone.start().attitude().heading())));
-    Map<String, Object> members = new LinkedHashMap<>();
-    members.put("number", drone.state().drone());
-    members.put("profile", drone.product().profile().option());
-    members.put("behaviour", drone.product().behavior().option());
-    members.put("start", start);
-    Rgb color = Livery.of(drone).color();
-    members.put("color", String.format(Locale.ROOT, "#%06x", color.argb() & 0xffffff));
-    return members;
+    int rgb = Livery.of(drone).color().argb() & 0xffffff;
+    return Json.object(
+        "number", drone.state().drone(),
+        "profile", drone.product().profile().option(),
+        "behaviour", drone.product().behavior().option(),
+        "start",
+            Json.object(
+                "x", Frames.centimeters(place.x()),
+                "y", Frames.centimeters(place.y()),
+                "heading", Frames.yawOfHeading(drone.start().attitude().heading())),
+        "color", String.format(Locale.ROOT, "#%06x", rgb));
   }
 
-  /** The text while the flight goes on. */
+  /** The text during the flight. */
   String begun() {
     return Json.text(members);
   }
 
-  /** The text of the whole flight. */
-  String ended(Entry.End end, List<VideoRecorders.Kept> films) {
-    members.put("ended", Json.rounded(end.time().seconds()));
-    members.put("result", end.goals().word());
-    List<Object> videos = new ArrayList<>();
-    for (VideoRecorders.Kept film : films) {
-      Map<String, Object> video = new LinkedHashMap<>();
-      video.put("drone", film.drone());
-      video.put("file", film.file());
-      video.put("started", Json.rounded(film.begun().seconds()));
-      videos.add(video);
-    }
-    if (!videos.isEmpty()) {
-      members.put("videos", videos);
-    }
+  /** The text of the finished flight. */
+  String ended(Entry.End end, List<RecordedVideo> films) {
+    List<Map<String, Object>> videos = films.stream().map(RunText::video).toList();
+    members.putAll(
+        Json.object(
+            "ended", end.time().seconds(),
+            "result", end.word(),
+            "score", RecordedScore.members(end),
+            "videos", Optional.of(videos).filter(all -> !all.isEmpty())));
     return Json.text(members);
   }
 
-  private static double centimeters(double meters) {
-    return Json.rounded(Frames.centimeters(meters));
+  private static Map<String, Object> video(RecordedVideo film) {
+    return Json.object(
+        "drone", film.drone(), "file", film.file(), "started", film.begun().seconds());
+  }
+
+  /** Formats the goals, each with the time at which it was reached. */
+  static String goals(Entry.End end) {
+    List<Object> goals = new ArrayList<>();
+    List<Goal> asked = end.progress().challenge().goals();
+    for (int i = 0; i < asked.size(); i++) {
+      OptionalDouble after = end.progress().reached().get(i);
+      goals.add(
+          Json.object(
+              "text", asked.get(i).phrase().english(),
+              "said", RecordedPhrase.members(asked.get(i).phrase()),
+              "reached",
+                  after.stream()
+                      .map(each -> end.attemptNanos() * 1e-9 + each)
+                      .boxed()
+                      .findFirst()));
+    }
+    return Json.text(goals);
   }
 }

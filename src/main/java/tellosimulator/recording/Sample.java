@@ -3,15 +3,15 @@ package tellosimulator.recording;
 import tellosimulator.math.Vec3;
 
 /**
- * A row of {@code flight.csv}: a drone at a moment. Immutable; for any thread.
+ * A row of {@code flight.csv}: the state of a drone at one point in time. Immutable.
  *
  * @param time simulated seconds since the simulation began
- * @param position of its feet, room frame [m]
- * @param velocity room frame [m/s]
- * @param angles how it is turned
- * @param phase the word for what it is doing
- * @param batteryPercent 0 to 100
- * @param command the one that it carries out; empty if none
+ * @param position position of the drone's feet, in the room frame [m]
+ * @param velocity velocity, in the room frame [m/s]
+ * @param angles the drone's attitude
+ * @param phase the word for the flight phase
+ * @param batteryPercent charge of the battery, from 0 to 100 [%]
+ * @param command the current command; empty if there is none
  */
 public record Sample(
     double time,
@@ -23,11 +23,11 @@ public record Sample(
     String command) {
 
   /**
-   * How a drone is turned, in degrees.
+   * The attitude of a drone, in degrees.
    *
-   * @param roll right side down is positive
-   * @param pitch nose up is positive
-   * @param heading clockwise seen from above, 0 along the room's x axis
+   * @param roll positive when the right side is down
+   * @param pitch positive when the nose is up
+   * @param heading direction of the nose, clockwise seen from above; 0 is along the room's x axis
    */
   public record Angles(double roll, double pitch, double heading) {}
 }

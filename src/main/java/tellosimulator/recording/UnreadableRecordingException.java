@@ -1,6 +1,6 @@
 package tellosimulator.recording;
 
-/** There is nothing to be shown of a folder; the message is a sentence for people. */
+/** Thrown if a folder contains no readable recording. The message is one sentence for users. */
 public final class UnreadableRecordingException extends Exception {
 
   private static final long serialVersionUID = 1;

@@ -18,9 +18,9 @@ import tellosimulator.video.VideoWatcher;
 import tellosimulator.words.Phrase;
 
 /**
- * Records the video of the drones while a flight is recorded, a file for each drone. No camera
- * films for it: it sees only what somebody else wants. For any thread; pictures are kept on the
- * threads of the videos.
+ * Records the drones' videos during a flight, one file for each drone. The recorders do not start a
+ * camera: they record only pictures that are encoded for other consumers. Thread-safe; pictures are
+ * written on the video threads.
  */
 final class VideoRecorders {
 
@@ -30,13 +30,13 @@ final class VideoRecorders {
   private volatile Supplier<SimTime> clock = () -> SimTime.ZERO;
 
   /**
-   * A film that was kept.
+   * A recorded video.
    *
-   * @param drone its number, from 1
-   * @param file its name
-   * @param begun when its first picture was taken
+   * @param drone the drone's number, from 1
+   * @param file the file's name
+   * @param begun the time of its first picture
    */
-  record Kept(int drone, String file, SimTime begun) {}
+  record RecordedVideo(int drone, String file, SimTime begun) {}
 
   VideoRecorders(int drones) {
     for (int drone = 1; drone <= drones; drone++) {
@@ -44,32 +44,32 @@ final class VideoRecorders {
     }
   }
 
-  /** Looks at the drones' video from now on. */
+  /** Starts to watch the drones' video streams. */
   void watch(VideoStreams streams, Supplier<SimTime> newClock) {
     clock = newClock;
     recorders.forEach(recorder -> streams.stream(recorder.drone).watch(recorder));
   }
 
-  /** A drone has filmed, with a camera that nobody here knows. */
+  /** Records a picture from a drone whose camera is not simulated by this program. */
   void filmed(int drone, FilmedPicture picture, SimTime now) {
     recorders.get(drone - 1).keep(picture, now);
   }
 
   /**
-   * A flight begins.
+   * Begins a flight.
    *
-   * @param told takes a sentence if a film cannot be kept any more
+   * @param told receives a sentence if recording a video fails
    */
   void begin(Path folder, Consumer<Phrase> told) {
     recorders.forEach(recorder -> recorder.begin(folder, told));
   }
 
-  /** The flight is over; returns its films. */
-  List<Kept> end() {
+  /** Ends the flight and returns its videos. */
+  List<RecordedVideo> end() {
     return recorders.stream().flatMap(recorder -> recorder.end().stream()).toList();
   }
 
-  /** That of one drone. */
+  /** Records the video of one drone. */
   private final class VideoRecorder implements VideoWatcher {
 
     private final int drone;
@@ -119,13 +119,13 @@ final class VideoRecorders {
       }
     }
 
-    /** The rest of the flight has no film. */
+    /** Stops recording the video for the rest of the flight. */
     private void giveUp(Phrase reason) {
       told.accept(reason);
       file = Optional.empty();
     }
 
-    synchronized Optional<Kept> end() {
+    synchronized Optional<RecordedVideo> end() {
       try {
         if (film.isPresent()) {
           film.get().close();
@@ -133,10 +133,11 @@ final class VideoRecorders {
       } catch (IOException e) {
         LOG.warn("The end of the film of drone {} is missing: {}", drone, IoReason.of(e));
       }
-      Optional<Kept> kept =
+      Optional<RecordedVideo> kept =
           begun.map(
               moment ->
-                  new Kept(drone, String.valueOf(film.orElseThrow().file().getFileName()), moment));
+                  new RecordedVideo(
+                      drone, String.valueOf(film.orElseThrow().file().getFileName()), moment));
       file = Optional.empty();
       film = Optional.empty();
       begun = Optional.empty();

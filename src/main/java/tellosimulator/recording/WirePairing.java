@@ -11,24 +11,27 @@ import tellosimulator.command.Reply;
 import tellosimulator.command.WireText;
 
 /**
- * Finds the command that a reply of one drone belongs to, where only the wire is known. It follows
- * from how the drone works: it carries out one maneuver at a time, refuses another one meanwhile,
- * and answers everything else at once. Replies may be lost, so the commands that a reply proves to
- * be over are forgotten. For one thread.
+ * Matches the replies of one drone to its commands when only the datagrams are known. The matching
+ * follows from how the drone works: it performs one maneuver at a time, refuses other maneuvers in
+ * the meantime, and answers all other commands immediately. Replies may be lost; commands that a
+ * later reply proves to be finished are dropped. Not thread-safe.
  */
 final class WirePairing {
 
   /**
-   * What comes within this time was answered at once [s]. Measured: a drone answers reads after 5
+   * Maximum delay of a reply that counts as immediate [s]. Measured: a drone answers reads after 5
    * to 228 ms, and no maneuver within 0.5 s.
    */
   private static final double PROMPT = 0.5;
 
-  /** What lets a drone take off. */
+  /** The commands that make a drone take off. */
   static final Set<String> TAKEOFFS =
       Set.of(CommandSyntax.TAKEOFF.verb(), CommandSyntax.THROW_FLY.verb());
 
-  /** Commands that are answered on arrival: all that begin, need or end flight. */
+  /**
+   * The commands that are answered on completion: all that begin a flight, end a flight or require
+   * one.
+   */
   private static final Set<String> MANEUVERS =
       Stream.concat(
               TAKEOFFS.stream(),
@@ -38,17 +41,17 @@ final class WirePairing {
           .collect(Collectors.toUnmodifiableSet());
 
   /**
-   * A command that waits for its reply.
+   * A command that has not been answered yet.
    *
-   * @param index in the list of all commands
-   * @param sent [s]
+   * @param index its index in the list of all commands
+   * @param sent the time when it was sent [s]
    */
   private record Open(int index, double sent, String text) {}
 
   private final Deque<Open> maneuvers = new ArrayDeque<>();
   private final Deque<Open> prompt = new ArrayDeque<>();
 
-  /** Takes the next command. */
+  /** Processes the next command. */
   void sent(int index, double time, String text) {
     String command = text.strip();
     if (!WireText.isUnanswered(command)) {
@@ -58,9 +61,9 @@ final class WirePairing {
   }
 
   /**
-   * Takes the next reply.
+   * Processes the next reply.
    *
-   * @return the index of its command; empty if it belongs to none
+   * @return the index of the command that it answers; empty if no command matches
    */
   OptionalInt answered(double time, String reply) {
     Open command = commandOf(time, reply);
@@ -91,7 +94,10 @@ final class WirePairing {
         || reply.startsWith("unknown command");
   }
 
-  /** They are answered in their order, so that older ones than the one found get no reply. */
+  /**
+   * Returns the oldest command that the reply may answer. Commands are answered in order, so the
+   * commands before it will get no reply, and are dropped.
+   */
   private Open promptCommand(double time) {
     while (prompt.size() > 1 && time - prompt.peekFirst().sent >= PROMPT) {
       prompt.removeFirst();
@@ -99,7 +105,10 @@ final class WirePairing {
     return prompt.pollFirst();
   }
 
-  /** The newest one was not refused, so that the others are over, unless it has just been sent. */
+  /**
+   * Returns the command that a maneuver's reply answers. If the newest maneuver was not refused
+   * within {@link #PROMPT}, the drone has accepted it, so the earlier maneuvers are finished.
+   */
   private Open maneuver(double time) {
     if (!maneuvers.isEmpty() && time - maneuvers.peekLast().sent >= PROMPT) {
       Open newest = maneuvers.pollLast();

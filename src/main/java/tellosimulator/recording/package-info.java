@@ -1,14 +1,15 @@
 /**
- * Recordings of flights: a folder for each, with plain files in the format of docs/recordings.md.
+ * Recordings of flights: one folder for each flight, with plain files in the format of
+ * docs/recordings.md.
  *
  * <p>{@link tellosimulator.recording.FlightRecorder} listens to a running simulation and taps its
- * wire. On the threads of simulation and network it only puts small immutable records into a
- * bounded queue; a thread of its own, in {@code RecordingWriter}, knows files. Whatever fails there
- * ends a recording, and never a flight.
+ * datagrams. On the simulation and network threads, it only adds small immutable records to a
+ * bounded queue; {@code RecordingWriter} writes the files on a separate thread. An error on that
+ * thread ends the recording, but never the flight.
  *
- * <p>{@link tellosimulator.recording.RecordedFlight} is what a folder says, as far as it can be
- * read; a recording that was cut off is shown until there. Values are immutable and for any thread.
- * The package imports {@code json}, {@code scenario} and {@code video} and what these stand on.
- * What is made of a recording is not its job.
+ * <p>{@link tellosimulator.recording.RecordedFlight} holds the readable contents of a folder; a
+ * recording that was cut off can be read up to its last complete line. Values are immutable. The
+ * package imports {@code json}, {@code scenario}, {@code video} and the packages below them. Other
+ * packages show, compare and replay recordings.
  */
 package tellosimulator.recording;

@@ -9,32 +9,33 @@ import java.util.OptionalDouble;
 import tellosimulator.recording.RecordingFile;
 
 /**
- * Where a file of two recordings begins to differ. Immutable; for any thread.
+ * The first difference between the versions of one file in two recordings. Immutable.
  *
- * @param file its name
- * @param line counted from 1, without video
- * @param time of that line, simulated seconds since the simulation began; empty if it tells none
- * @param recorded the line; empty if there is none
- * @param replayed the line; empty if there is none
+ * @param file the file's name
+ * @param line the line's number, from 1, not counting video lines
+ * @param time the time in that line, in simulated seconds since the simulation began; empty if the
+ *     line contains none
+ * @param recorded the line in the recording; empty if the recording has fewer lines
+ * @param replayed the line in the replay; empty if the replay has fewer lines
  */
 public record Difference(
     String file, long line, OptionalDouble time, String recorded, String replayed) {
 
-  /** Files that a simulation decides. */
+  /** The files whose contents the simulation determines. */
   private static final List<RecordingFile> FILES =
       List.of(RecordingFile.WIRE, RecordingFile.EVENTS, RecordingFile.FLIGHT, RecordingFile.GOALS);
 
   /**
-   * The first difference of each file of two recordings; none if they are identical, but for what
-   * the wall clock decides.
+   * Returns the first difference in each file of two recordings. The list is empty if the
+   * recordings are identical except for the data that depend on the wall clock.
    *
-   * @param cutOff whether the first one was cut off, so that the second one may go on
-   * @throws IOException if one cannot be read
+   * @param cutOff whether the first recording was cut off, so that the second one may be longer
+   * @throws IOException if a recording cannot be read
    */
   static List<Difference> between(Path recorded, Path replayed, boolean cutOff) throws IOException {
     List<Difference> differences = new ArrayList<>();
     for (RecordingFile file :
-        cutOff ? FILES.subList(0, FILES.size() - 1) : FILES) { // goals come last
+        cutOff ? FILES.subList(0, FILES.size() - 1) : FILES) { // all but the goals, the last file
       try (LineFile first = new LineFile(file.in(recorded));
           LineFile second = new LineFile(file.in(replayed))) {
         first(file.fileName(), first, second, cutOff).ifPresent(differences::add);

@@ -13,27 +13,31 @@ import tellosimulator.files.IrregularFileException;
 import tellosimulator.recording.LineReader;
 
 /**
- * The lines of a recording's file that a simulation decides: without what the wall clock says, and
- * without video, which follows that clock. For one thread.
+ * Reads the lines of a recording's file, reduced to what the simulation determines. Wall-clock
+ * times are removed from the lines. Video lines are left out, because video follows the wall clock.
+ * Not thread-safe.
  */
 final class LineFile implements AutoCloseable {
 
-  /** Of video, whose digest tells nothing about a simulation. */
-  private static final String VIDEO = "\"kind\":\"video\"";
+  /** The text that identifies a video line. */
+  private static final String VIDEO = "\"kind\": \"video\"";
 
-  /** The wall clock of a line of {@code wire.jsonl}, which comes second. */
-  private static final Pattern WALL = Pattern.compile("^(\\{\"t\":[0-9.]+),\"wall\":-?[0-9]+");
+  /** The wall-clock time in a line of {@code wire.jsonl}: the second member of the object. */
+  private static final Pattern WALL = Pattern.compile("^(\\{\"t\": [0-9.]+), \"wall\": -?[0-9]+");
 
-  /** The moment at which a line begins, in JSON and in CSV [s]. */
-  private static final Pattern TIME = Pattern.compile("^(?:\\{\"t\":)?([0-9]{1,9}\\.[0-9]{3}),");
+  /** The time at the start of a line, in JSON and in CSV [s]. */
+  private static final Pattern TIME = Pattern.compile("^(?:\\{\"t\": )?([0-9]{1,9}\\.[0-9]{1,3}),");
 
-  /** In which the last moment of a file is looked for [bytes]. Decided: some hundred lines. */
+  /**
+   * Length of the tail of a file that is searched for the last timestamp [bytes]. Decided: this
+   * holds several hundred lines.
+   */
   private static final int TAIL = 1 << 16;
 
   private final LineReader lines;
 
   /**
-   * Opens it; one that is missing has no lines.
+   * Opens a file; a missing file counts as empty.
    *
    * @throws IOException if it cannot be read
    */
@@ -41,7 +45,7 @@ final class LineFile implements AutoCloseable {
     lines = new LineReader(file);
   }
 
-  /** The next line; empty after the last. */
+  /** Returns the next line; empty after the last one. */
   Optional<String> next() throws IOException {
     Optional<String> next = lines.next();
     while (next.isPresent() && next.get().contains(VIDEO)) {
@@ -50,7 +54,7 @@ final class LineFile implements AutoCloseable {
     return next.map(text -> WALL.matcher(text).replaceFirst("$1"));
   }
 
-  /** The moment that a line tells of [s]; empty if it tells of none. */
+  /** Returns the time in a line [s]; empty if the line contains none. */
   static OptionalDouble time(String line) {
     Matcher matcher = TIME.matcher(line);
     return matcher.find()
@@ -58,7 +62,7 @@ final class LineFile implements AutoCloseable {
         : OptionalDouble.empty();
   }
 
-  /** The last moment that a file tells of, near its end [s]; 0 if it tells of none. */
+  /** Returns the last timestamp near the end of a file [s]; 0 if none is found. */
   static double lastTime(Path file) throws IOException {
     IrregularFileException.check(file);
     if (!Files.exists(file)) {

@@ -1,8 +1,6 @@
 package tellosimulator.replay;
 
 import java.io.IOException;
-import java.nio.file.DirectoryStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,41 +8,54 @@ import java.util.Locale;
 import java.util.Optional;
 import tellosimulator.goal.GoalEvent;
 import tellosimulator.goal.GoalWatch;
+import tellosimulator.goal.Progress;
 import tellosimulator.network.OfflineNetwork;
 import tellosimulator.recording.FlightRecorder;
 import tellosimulator.recording.InitialConditions;
-import tellosimulator.recording.RecordedInput;
+import tellosimulator.recording.RecordedInputs.RecordedInput;
 import tellosimulator.recording.RecordingFolder;
+import tellosimulator.recording.RunResult;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Simulation;
-import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
-/** A simulation that is handed the inputs of an earlier one, and recorded. For one thread. */
+/**
+ * A simulation that receives the inputs of a recorded simulation, and is itself recorded. Not
+ * thread-safe.
+ */
 final class RepeatedFlight {
 
-  /** Steps from writing to writing. Decided: some thousand lines. */
+  /** Number of steps between writes. Decided: these produce a few thousand lines. */
   private static final long WRITING_STEPS = 2000;
 
   private final RecordingFolder into;
   private final int earlier;
   private final List<Phrase> failures = new ArrayList<>();
+  private final Inputs inputs;
   private final FlightRecorder recorder;
+  private final GoalWatch goals;
   private final Simulation simulation;
   private long steps;
 
   /**
-   * Begins it.
+   * Creates the simulation.
    *
-   * @param start what it begins from
-   * @param title of the scenario
-   * @param scenario what is kept of it
-   * @param into where it is recorded
+   * @param start the initial conditions of the simulation
+   * @param title title of the scenario
+   * @param scenario the scenario as far as it was recorded
+   * @param inputs the inputs of the simulation
+   * @param into the folder that will contain the new recording
    */
-  RepeatedFlight(InitialConditions start, String title, Scenario scenario, RecordingFolder into) {
+  RepeatedFlight(
+      InitialConditions start,
+      String title,
+      Scenario scenario,
+      Inputs inputs,
+      RecordingFolder into) {
+    this.inputs = inputs;
     this.into = into;
     this.earlier = into.made().size();
-    GoalWatch goals = new GoalWatch(start.challenge(), this::tell);
+    goals = new GoalWatch(start.challenge(), this::tell);
     Scenario flown =
         new Scenario(
             scenario.description(), start.config(), scenario.stations(), start.challenge());
@@ -53,9 +64,7 @@ final class RepeatedFlight {
             into, new FlightRecorder.Subject(title, flown, List.of(), goals), failures::add);
     OfflineNetwork network = new OfflineNetwork(recorder);
     simulation =
-        new Simulation(
-            start.config(), network.replies(start.replyPort()), network.states(), List.of(goals));
-    network.listen(simulation);
+        new Simulation(start.config(), network.senders(start.replyPort()), List.of(goals, inputs));
     recorder.attach(simulation, start.replyPort());
   }
 
@@ -63,30 +72,21 @@ final class RepeatedFlight {
     recorder.event(news);
   }
 
-  /** Gives inputs one after another. */
-  @FunctionalInterface
-  interface Inputs {
-
-    /** The next one; empty after the last. */
-    Optional<RecordedInput> next() throws IOException;
-  }
-
   /**
-   * Flies until a moment.
+   * Runs the simulation until the inputs end.
    *
-   * @return the folder of the last flight until then; those before it are deleted
-   * @throws IOException with a sentence, if inputs cannot be read, or nothing be written, or no
-   *     drone took off
+   * @return the folder of the last flight; the recordings of earlier flights are deleted
+   * @throws IOException if the inputs cannot be read, the recording cannot be written, or no drone
+   *     took off; the message is a clause, without a capital or a full stop
    */
-  Path fly(Inputs inputs, SimTime end) throws IOException {
+  Path fly() throws IOException {
     try (recorder) {
-      for (Optional<RecordedInput> next = inputs.next();
-          next.isPresent() && !end.isBefore(next.get().time());
-          next = inputs.next()) {
-        advance(next.get().time());
-        repeat(next.get());
+      repeatDue();
+      while (inputs.goesOn(simulation.time())) {
+        step();
+        repeatDue();
       }
-      advance(end);
+      goals.close(); // as at the end of the run
     }
     check();
     List<Path> made = into.made();
@@ -94,9 +94,15 @@ final class RepeatedFlight {
       throw new IOException("no drone took off");
     }
     for (Path before : made.subList(earlier, made.size() - 1)) {
-      delete(before);
+      RecordingFolder.delete(before);
     }
     return made.get(made.size() - 1);
+  }
+
+  /** Returns the outcome. Must be called after {@link #fly}. */
+  RunResult result() {
+    Progress last = goals.progress();
+    return new RunResult(last, false, last.score(), goals.tally(), simulation.snapshot().seed());
   }
 
   private void repeat(RecordedInput input) throws IOException {
@@ -108,14 +114,20 @@ final class RepeatedFlight {
     }
   }
 
-  private void advance(SimTime until) throws IOException {
-    while (simulation.time().isBefore(until)) {
-      simulation.step();
-      steps++;
-      if (steps % WRITING_STEPS == 0) {
-        recorder.writeWaiting();
-        check();
-      }
+  private void repeatDue() throws IOException {
+    for (Optional<RecordedInput> due = inputs.due(simulation.time());
+        due.isPresent();
+        due = inputs.due(simulation.time())) {
+      repeat(due.get());
+    }
+  }
+
+  private void step() throws IOException {
+    simulation.step();
+    steps++;
+    if (steps % WRITING_STEPS == 0) {
+      recorder.writeWaiting();
+      check();
     }
   }
 
@@ -123,14 +135,5 @@ final class RepeatedFlight {
     if (!failures.isEmpty()) {
       throw new IOException(failures.get(0).english());
     }
-  }
-
-  private static void delete(Path recording) throws IOException {
-    try (DirectoryStream<Path> files = Files.newDirectoryStream(recording)) {
-      for (Path file : files) {
-        Files.delete(file);
-      }
-    }
-    Files.delete(recording);
   }
 }

@@ -5,21 +5,27 @@ import java.util.List;
 import tellosimulator.words.Phrase;
 
 /**
- * What became of a flight that was flown again. Immutable; for any thread.
+ * The result of replaying a flight. Immutable.
  *
- * @param recording the folder of the second recording
- * @param differences the first one of each file; none if both are identical
- * @param remarks why they may differ, in one clause each
+ * @param recording the folder of the new recording
+ * @param exact whether all inputs were known, so that the recordings can be compared byte by byte
+ * @param differences the first difference in each file; empty if both recordings are identical or
+ *     cannot be compared
+ * @param remarks a clause for each possible reason why the recordings differ
  */
-public record Repetition(Path recording, List<Difference> differences, List<Phrase> remarks) {
+public record Repetition(
+    Path recording, boolean exact, List<Difference> differences, List<Phrase> remarks) {
 
   public Repetition {
     differences = List.copyOf(differences);
     remarks = List.copyOf(remarks);
   }
 
-  /** Whether both recordings are the same to the byte, but for what the wall clock decides. */
+  /**
+   * Whether both recordings are identical byte for byte, except for the data that depend on the
+   * wall clock.
+   */
   public boolean identical() {
-    return differences.isEmpty();
+    return exact && differences.isEmpty();
   }
 }

@@ -3,36 +3,43 @@ package tellosimulator.replay;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.stream.Stream;
+import tellosimulator.profile.Behavior;
+import tellosimulator.profile.Profile;
 import tellosimulator.recording.InitialConditions;
+import tellosimulator.recording.RecordedCommand;
 import tellosimulator.recording.RecordedFlight;
-import tellosimulator.recording.RecordedInput;
 import tellosimulator.recording.RecordedInputs;
 import tellosimulator.recording.RecordedRun;
 import tellosimulator.recording.RecordingFile;
 import tellosimulator.recording.RecordingFolder;
+import tellosimulator.recording.RunResult;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.DroneSetup;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
- * A recorded flight that can be flown again: the same inputs after the same steps, from the moment
- * at which the simulation began. Immutable; for any thread, and {@link #fly} works on the calling
- * one.
+ * A recorded flight that can be replayed: from the beginning of the simulation, the same inputs are
+ * applied after the same steps. Immutable; {@link #fly} runs on the calling thread.
  */
 public final class Replay {
 
   /**
-   * How long a recording may go on after its last line [s]. Decided: twice the silence after which
-   * the recording of a real drone ends.
+   * Maximum time for which a recording may continue after its last line [s]. Decided: twice the
+   * silence after which the recording of a real drone ends.
    */
   private static final double LONGEST_REST = 120;
 
-  /** Files that tell how far a recording goes. */
+  /** The files whose last lines show how long a recording lasts. */
   private static final List<RecordingFile> LAST_LINES =
       List.of(RecordingFile.WIRE, RecordingFile.EVENTS, RecordingFile.FLIGHT);
 
@@ -42,17 +49,20 @@ public final class Replay {
   private final InitialConditions start;
   private final Scenario scenario;
 
-  /** The last moment of which a line tells [s]. */
+  /** The time of the last line [s]. */
   private final double lastLine;
 
-  /** Commands that were sent; empty if all inputs are kept. */
-  private final Optional<List<RecordedInput>> commands;
+  /**
+   * The commands that were sent; empty if all inputs were recorded, because the inputs are used
+   * instead.
+   */
+  private final Optional<List<RecordedCommand>> commands;
 
   private Replay(
       Path folder,
       RecordedFlight outline,
       InitialConditions start,
-      Optional<List<RecordedInput>> commands)
+      Optional<List<RecordedCommand>> commands)
       throws IOException {
     this.folder = folder;
     this.run = outline.run();
@@ -68,12 +78,13 @@ public final class Replay {
   }
 
   /**
-   * Reads what a recording began from. One that does not tell all inputs, as of a real drone, is
-   * flown in the room that it names with the commands that it tells.
+   * Reads the initial conditions of a recording. A recording that lacks some inputs, such as a
+   * recording of a real drone, is replayed in its recorded room with its recorded commands.
    *
-   * @param folder in which it is
-   * @throws UnreadableRecordingException with a sentence, if there is none
-   * @throws IOException if it cannot be read
+   * @param folder the recording's folder
+   * @throws UnreadableRecordingException if the folder contains no readable recording; the message
+   *     is one sentence
+   * @throws IOException if the recording cannot be read
    */
   public static Replay of(Path folder) throws UnreadableRecordingException, IOException {
     RecordedFlight outline = RecordedFlight.readOutline(folder);
@@ -83,57 +94,76 @@ public final class Replay {
         return new Replay(folder, outline, opened.start(), Optional.empty());
       }
     }
-    WireInputs wire = WireInputs.read(folder, outline);
-    return new Replay(folder, outline, wire.start(), Optional.of(wire.commands()));
+    RecordedFlight flight = RecordedFlight.read(folder);
+    Scenario known = flight.scenario().orElseGet(() -> Scenario.of(config(flight.run())));
+    return new Replay(
+        folder,
+        flight,
+        new InitialConditions(known.config(), known.challenge(), OptionalInt.empty()),
+        Optional.of(flight.commands()));
   }
 
-  /** Whether all inputs are known, so that the same version does the same to the byte. */
+  /**
+   * Whether all inputs are known, so that the same program version reproduces the recording byte
+   * for byte.
+   */
   boolean exact() {
     return commands.isEmpty();
   }
 
   /**
-   * Flies it again, and records that.
+   * Replays the flight and records it.
    *
-   * @param into where there will be a folder for it
-   * @return that folder
-   * @throws IOException with a clause, if inputs cannot be read, or nothing be written, or no drone
-   *     took off
+   * @param into the folder that will contain the folder of the new recording
+   * @return the folder of the new recording
+   * @throws IOException if the inputs cannot be read, the recording cannot be written, or no drone
+   *     took off; the message is a clause, without a capital or a full stop
    */
   public Path fly(RecordingFolder into) throws IOException {
     return flown(into).folder;
   }
 
   /**
-   * What was flown.
+   * Replays the flight and judges it again, until the end of the recording.
    *
-   * @param damaged inputs that could not be read
+   * @param into the folder that will contain the folder of the new recording
+   * @throws IOException as for {@link #fly}
    */
-  private record Flown(Path folder, int damaged) {}
+  public RunResult judge(RecordingFolder into) throws IOException {
+    return flown(into).result;
+  }
+
+  /**
+   * The result of a replay.
+   *
+   * @param damaged the number of inputs that could not be read
+   * @param result the outcome of the attempt
+   */
+  private record Flown(Path folder, int damaged, RunResult result) {}
 
   private Flown flown(RecordingFolder into) throws IOException {
-    RepeatedFlight flight = new RepeatedFlight(start, run.setting().scenario(), scenario, into);
-    SimTime end = end();
     if (commands.isPresent()) {
-      Iterator<RecordedInput> iterator = commands.get().iterator();
-      Path made =
-          flight.fly(
-              () -> iterator.hasNext() ? Optional.of(iterator.next()) : Optional.empty(), end);
-      return new Flown(made, 0);
+      return fly(new PacedCommands(commands.get(), start.config().drones().size()), into);
     }
     try (RecordedInputs inputs = RecordedInputs.open(folder).orElseThrow()) {
-      Path made = flight.fly(inputs::next, end);
-      return new Flown(made, inputs.damaged());
+      Flown flown = fly(new Inputs.Exact(inputs, end()), into);
+      return new Flown(flown.folder, inputs.damaged(), flown.result);
     }
   }
 
-  /** The end of the step after which nothing was recorded any more. */
+  private Flown fly(Inputs inputs, RecordingFolder into) throws IOException {
+    RepeatedFlight flight =
+        new RepeatedFlight(start, run.setting().scenario(), scenario, inputs, into);
+    return new Flown(flight.fly(), 0, flight.result());
+  }
+
+  /** The end of the last recorded step. */
   private SimTime end() {
     double end = ended().orElse(lastLine);
     return new SimTime(Math.round(end / SimTime.STEP) * SimTime.STEP_NANOS);
   }
 
-  /** The end that is told [s]; empty if there is none, or none that can be. */
+  /** The recorded end of the flight [s]; empty if it is missing or implausible. */
   private OptionalDouble ended() {
     return run.ended().stream()
         .filter(ended -> ended >= 0 && ended <= lastLine + LONGEST_REST)
@@ -149,16 +179,17 @@ public final class Replay {
   }
 
   /**
-   * Flies it again, and says where both recordings differ.
+   * Replays the flight and compares both recordings.
    *
-   * @param into where there will be a folder for it
-   * @throws IOException as {@link #fly}
+   * @param into the folder that will contain the folder of the new recording
+   * @throws IOException as for {@link #fly}
    */
   public Repetition repeat(RecordingFolder into) throws IOException {
     Flown again = flown(into);
     return new Repetition(
         again.folder,
-        Difference.between(folder, again.folder, ended().isEmpty()),
+        exact(),
+        exact() ? Difference.between(folder, again.folder, ended().isEmpty()) : List.of(),
         remarks(again.damaged));
   }
 
@@ -178,17 +209,61 @@ public final class Replay {
           Phrase.of(
               "%d lines of %s are damaged and left out", damaged, RecordingFile.INPUTS.fileName()));
     }
-    if (!exact() && RecordedInputs.areKept(folder)) {
+    if (!exact()) {
       remarks.add(
           Phrase.of(
-              "this version cannot read what it begins from, so that only its commands were flown"
-                  + " again"));
-    } else if (!exact()) {
-      remarks.add(
-          Phrase.of(
-              "it does not tell all that happened since the simulation began, so that only its"
-                  + " commands were flown again"));
+              "%s, so that only its commands were flown again, each after the reply that its program"
+                  + " waited for; replies, durations and motion are compared, single bytes are not",
+              whyNotExact()));
     }
     return remarks;
+  }
+
+  private Phrase whyNotExact() {
+    if (run.realDrone().isPresent()) {
+      return Phrase.of("a real drone flew");
+    }
+    return RecordedInputs.areKept(folder)
+        ? Phrase.of("this version cannot read what it begins from")
+        : Phrase.of("it does not tell all that happened since the simulation began");
+  }
+
+  /**
+   * Returns a configuration for a recording without a scenario. It is derived from the general data
+   * of the flight.
+   */
+  private static SimConfig config(RecordedRun run) {
+    Product usual = usual(run);
+    List<DroneSetup> setups = new ArrayList<>();
+    for (RecordedRun.DroneEntry drone : run.setting().drones()) {
+      Product product =
+          new Product(
+              option(Profile.values(), drone.profile(), usual.profile()),
+              option(Behavior.values(), drone.behavior(), usual.behavior()));
+      setups.add(DroneSetup.at(drone.start(), product, StreamPorts.DEFAULT));
+    }
+    SimConfig config =
+        SimConfig.DEFAULT
+            .withArena(SimConfig.DEFAULT.arena().withRoom(run.setting().room()))
+            .withProduct(usual.profile(), usual.behavior())
+            .withSeed(run.seed().orElse(SimConfig.DEFAULT.seed()));
+    return setups.isEmpty() ? config : config.withDrones(setups);
+  }
+
+  /**
+   * Returns the default product of the drones; for a real drone, the product whose model is based
+   * on measurements.
+   */
+  private static Product usual(RecordedRun run) {
+    return run.realDrone().isPresent()
+        ? new Product(Product.DEFAULT.profile(), Behavior.MEASURED)
+        : Product.DEFAULT;
+  }
+
+  private static <T extends Enum<T>> T option(T[] known, String word, T other) {
+    return Stream.of(known)
+        .filter(each -> each.name().equalsIgnoreCase(word))
+        .findFirst()
+        .orElse(other);
   }
 }

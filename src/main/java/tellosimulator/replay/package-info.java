@@ -1,10 +1,10 @@
 /**
- * Flies recorded flights again, and compares what becomes of them.
+ * Replays recorded flights, and compares the results with the recordings.
  *
- * <p>{@link tellosimulator.replay.Replay} builds the simulation that a recording tells of, without
- * sockets, and hands it each input after the step after which it was taken; what it does is
- * recorded in turn. {@link tellosimulator.replay.Repetition} says where both recordings differ,
- * byte by byte. All of it works on the calling thread, as fast as that can. The package imports
- * {@code recording} and what that stands on. Showing flights is not its job.
+ * <p>{@link tellosimulator.replay.Replay} creates the simulation of a recording, without sockets,
+ * and submits each input after the same step as in the recording; the replay is recorded as well.
+ * {@link tellosimulator.replay.Repetition} lists where the two recordings first differ, compared
+ * byte by byte. Everything runs on the calling thread, as fast as possible. The package imports
+ * {@code recording} and the packages below it. It does not show flights.
  */
 package tellosimulator.replay;

@@ -5,19 +5,21 @@ import java.util.MissingFormatArgumentException;
 import java.util.Optional;
 
 /**
- * Says in plain words what a command asks for: {@code forward 50} is "fly 50 cm forward". The words
- * are texts of the report, {@code command.forward} and so on. For any thread.
+ * Describes commands in plain words: {@code forward 50} becomes "fly 50 cm forward". The words are
+ * report texts named {@code command.forward} and so on. Thread-safe.
  */
 record CommandWords(ReportTexts texts) {
 
-  /** What a command asks for; empty if it is none, or has not the values for it. */
+  /** Describes a command; empty if the command is unknown or lacks values. */
   String of(String command) {
     String[] words = command.split(" ", -1);
     return sentence(words, 2).or(() -> sentence(words, 1)).orElse("");
   }
 
   /**
-   * @param verb how many words are the command's name
+   * Builds the description.
+   *
+   * @param verb the number of words in the command's name
    */
   private Optional<String> sentence(String[] words, int verb) {
     if (words.length < verb) {
@@ -25,7 +27,7 @@ record CommandWords(ReportTexts texts) {
     }
     String key = "command." + String.join("-", Arrays.copyOf(words, verb));
     Object[] values = Arrays.copyOfRange(words, verb, words.length);
-    // with more values it may be another command of the same name: go x y z speed mid
+    // the number of values may select another command: go x y z speed mid
     return texts
         .template(key + "." + values.length)
         .or(() -> texts.template(key))

@@ -5,17 +5,21 @@ import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import tellosimulator.comparison.FlightComparison.Flight;
 import tellosimulator.recording.ReportedState;
 
-/** Charts with a line for each of two flights, as markup. Immutable; for any thread. */
+/** Charts of two flights as SVG markup, with one line for each flight. Immutable. */
 final class ComparisonCharts {
 
-  /** Of the drawing; a browser stretches it. */
+  /** Width of the drawing, which the browser scales. */
   private static final int WIDTH = 1000;
 
   private static final int HEIGHT = 100;
+
+  /** Maximum number of points in a line. Decided: several for each pixel. */
+  private static final int MOST_POINTS = 4_000;
 
   private final Flight first;
   private final Flight second;
@@ -62,8 +66,11 @@ final class ComparisonCharts {
   private String line(String kind, Flight flight, ToDoubleFunction<ReportedState> down) {
     double seconds = Math.max(1, Math.max(length(first), length(second)));
     List<ReportedState> flown = flown(flight);
+    int stride = 1 + flown.size() / MOST_POINTS;
     String points =
-        flown.stream()
+        IntStream.range(0, flown.size())
+            .filter(i -> i % stride == 0)
+            .mapToObj(flown::get)
             .map(
                 state ->
                     String.format(
@@ -75,7 +82,7 @@ final class ComparisonCharts {
     return "<polyline class=\"" + kind + "\" points=\"" + points + "\"/>";
   }
 
-  /** The first drone's states from its takeoff on. */
+  /** Returns the first drone's states from its takeoff on. */
   private static List<ReportedState> flown(Flight flight) {
     double started = flight.recording().run().started();
     return flight.states().stream()

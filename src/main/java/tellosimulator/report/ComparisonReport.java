@@ -19,15 +19,15 @@ import tellosimulator.comparison.Tolerance.Aspect;
 import tellosimulator.files.AtomicFile;
 
 /**
- * A comparison of two flights as one HTML file: charts of both, and a table of their commands. It
- * runs no script. For any thread.
+ * A comparison of two flights as one HTML file with charts of both flights and a table of their
+ * commands. The page runs no script. Thread-safe.
  */
 public final class ComparisonReport {
 
-  /** A flight with the name that people know it by. */
+  /** A flight and its name for users. */
   public record NamedFlight(String name, Flight flight) {
 
-    /** With the name of its folder. */
+    /** Creates a flight that is named after its folder. */
     public static NamedFlight of(Path folder, Flight flight) {
       return new NamedFlight(String.valueOf(folder.toAbsolutePath().getFileName()), flight);
     }
@@ -40,7 +40,9 @@ public final class ComparisonReport {
   private final ReportTexts texts;
 
   /**
-   * @param tolerance by which both are compared
+   * Creates the page for two flights.
+   *
+   * @param tolerance the tolerance of the comparison
    */
   public ComparisonReport(
       NamedFlight first, NamedFlight second, Tolerance tolerance, ReportTexts texts) {
@@ -61,7 +63,7 @@ public final class ComparisonReport {
     AtomicFile.write(file, out -> out.write(page));
   }
 
-  /** The whole page. */
+  /** Returns the whole page. */
   String html() {
     String style =
         HtmlTemplate.resource("report.css") + "\n" + HtmlTemplate.resource("comparison.css");

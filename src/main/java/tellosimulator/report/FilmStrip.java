@@ -1,11 +1,20 @@
 package tellosimulator.report;
 
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Base64;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 import tellosimulator.json.Json;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
@@ -24,36 +33,44 @@ import tellosimulator.video.camera.RenderCache;
 import tellosimulator.video.camera.SoftwareCamera;
 
 /**
- * Small pictures of a flight: of the room, and of each drone's camera, at the same moments. For one
- * thread, once.
+ * Renders small pictures of a flight. At regular intervals, there is one picture of the room and
+ * one from each drone's camera. Not thread-safe; an instance can be used only once.
  */
 final class FilmStrip {
 
-  /** Size of a picture [pixels]. Decided: as large as the page shows it, in 1 s a picture. */
+  /** Width of a picture [pixels]. Decided: the page shows the pictures at about this width. */
   private static final int WIDTH = 320;
 
   private static final int HEIGHT = 240;
 
-  /** Shortest time between pictures [s]. */
+  /** Minimum time between pictures [s]. */
   private static final double SHORTEST_STEP = 1;
 
   /**
-   * Most pictures of all cameras together. Decided: about 3 MB, and drawn in less than a second.
+   * Maximum total number of pictures from all cameras. Decided: they take about 3 MB, and are drawn
+   * in less than a second.
    */
   private static final int MOST = 200;
 
-  /** Decided: as the window looks at a drone, from behind, above and a little from the right. */
+  /**
+   * Orientation of the room's camera. Decided: as in the window, from behind and above, and
+   * slightly from the right.
+   */
   private static final Attitude VIEW =
       Attitude.ofHeading(Math.toRadians(24))
           .after(new Attitude(Math.cos(Math.toRadians(10)), 0, Math.sin(Math.toRadians(10)), 0));
 
   private static final double FIELD_OF_VIEW = Math.toRadians(50);
 
-  /** From the middle of what is looked at [m]. */
+  /** Minimum distance of the room's camera from the centre of the drones [m]. */
   private static final double DISTANCE = 1.8;
 
-  /** What is seen beside the room. */
+  /** Colour outside the room. */
   private static final int OUTSIDE = 0xd8dde3;
+
+  /** An empty film strip, which the page does not show. */
+  static final Map<String, Object> NONE =
+      Map.of("times", List.of(), "room", List.of(), "cameras", Map.of());
 
   private final FlightSnapshots snapshots;
   private final SceneBuilder scenes = new SceneBuilder();
@@ -65,7 +82,7 @@ final class FilmStrip {
     this.snapshots = snapshots;
   }
 
-  /** The pictures of a time as the page has them. */
+  /** Returns the pictures for a time span as members of the page's data. */
   Map<String, Object> of(double begin, double end) {
     List<Double> times = times(begin, end, 1 + snapshots.at(begin).drones().size());
     List<String> room = new ArrayList<>();
@@ -84,15 +101,13 @@ final class FilmStrip {
         }
       }
     }
-    Map<String, Object> film = new LinkedHashMap<>();
-    film.put("times", times);
-    film.put("room", room);
-    film.put("cameras", cameras);
-    return film;
+    return Json.object("times", times, "room", room, "cameras", cameras);
   }
 
   /**
-   * @param cameras how many pictures there are of each moment
+   * Returns the times at which pictures are taken.
+   *
+   * @param cameras the number of pictures at each time
    */
   static List<Double> times(double begin, double end, int cameras) {
     double length = Math.max(0, end - begin);
@@ -113,7 +128,7 @@ final class FilmStrip {
         new Pose(eye, VIEW), new CameraIntrinsics(WIDTH, HEIGHT, FIELD_OF_VIEW), 0.05);
   }
 
-  /** The middle between all drones at a moment, and how far they are from it [m]. */
+  /** Returns the centre of all drones and their largest distance from it [m]. */
   private static Focus focus(SimSnapshot snapshot) {
     List<Vec3> places =
         snapshot.drones().stream().map(drone -> drone.state().motion().position()).toList();
@@ -124,9 +139,9 @@ final class FilmStrip {
   }
 
   /**
-   * What a camera looks at.
+   * The area at which the room's camera looks.
    *
-   * @param reach how far from its middle things are [m]
+   * @param reach largest distance of a drone from the centre [m]
    */
   private record Focus(Vec3 middle, double reach) {}
 
@@ -137,5 +152,50 @@ final class FilmStrip {
       pixels[i] = pixels[i] == 0 ? OUTSIDE : pixels[i];
     }
     return Base64.getEncoder().encodeToString(encoder.encode(pixels));
+  }
+
+  /**
+   * Encodes small pictures as JPEG. Must not be used by two threads at the same time. Must be
+   * closed after use.
+   */
+  private static final class JpegEncoder implements AutoCloseable {
+
+    /**
+     * Compression quality. Decided: at this size, a higher quality makes no visible difference but
+     * takes twice the space.
+     */
+    private static final float QUALITY = 0.62f;
+
+    private final ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
+    private final BufferedImage image;
+
+    JpegEncoder(int width, int height) {
+      image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+    }
+
+    /**
+     * Encodes a picture.
+     *
+     * @param pixels the pixels, row by row from the top
+     */
+    byte[] encode(int[] pixels) {
+      image.getRaster().setDataElements(0, 0, image.getWidth(), image.getHeight(), pixels);
+      ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+      ImageWriteParam how = writer.getDefaultWriteParam();
+      how.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+      how.setCompressionQuality(QUALITY);
+      try (ImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {
+        writer.setOutput(out);
+        writer.write(null, new IIOImage(image, null, null), how);
+      } catch (IOException e) {
+        throw new UncheckedIOException("a picture cannot be encoded in memory", e);
+      }
+      return bytes.toByteArray();
+    }
+
+    @Override
+    public void close() {
+      writer.dispose();
+    }
   }
 }

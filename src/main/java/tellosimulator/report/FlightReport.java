@@ -11,15 +11,14 @@ import tellosimulator.recording.RecordedFlight;
 import tellosimulator.scenario.Gallery;
 
 /**
- * A report of a flight: one HTML file that holds everything it shows, and loads nothing. For any
- * thread.
+ * A report of a flight: one self-contained HTML file that loads no other files. Thread-safe.
  *
- * <p>All that comes from the recording is data in it. A browser runs nothing but the page's own
- * script, because its policy names that by its digest.
+ * <p>All recorded contents are embedded as data. The page's content security policy names the
+ * digest of the page's own script, so a browser runs no other script.
  */
 public final class FlightReport {
 
-  /** Its file in the folder of a recording, unless somebody says another one. */
+  /** The default file name in the folder of a recording. */
   public static final String FILE_NAME = "report.html";
 
   private static final List<String> SCRIPTS =
@@ -43,7 +42,7 @@ public final class FlightReport {
     AtomicFile.write(file, out -> out.write(page));
   }
 
-  /** The whole page. */
+  /** Returns the whole page. */
   String html() {
     String style = HtmlTemplate.resource("report.css");
     String script = SCRIPTS.stream().map(HtmlTemplate::resource).collect(Collectors.joining("\n"));

@@ -13,8 +13,8 @@ import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
 
 /**
- * Writes a report of each flight of a run after the run has ended. Recordings that nobody asked to
- * keep are written to a temporary folder, which is deleted afterwards. For any thread.
+ * Writes a report of each flight in a run after the run has ended. If there is no recording folder,
+ * flights are recorded in a temporary folder that is deleted afterwards. Thread-safe.
  */
 public final class FlightReports {
 
@@ -31,11 +31,11 @@ public final class FlightReports {
   }
 
   /**
-   * Of a run that is still to begin.
+   * Prepares the reports for a run that has not begun yet.
    *
-   * @param file of the first flight; others get a number
-   * @param folder in which recordings are kept; empty if nobody wants them
-   * @throws IOException if there is no place for recordings
+   * @param file the report of the first flight; the files of later flights get a number
+   * @param folder the folder for recordings; empty if they are not kept
+   * @throws IOException if the temporary folder cannot be created
    */
   public static FlightReports to(Path file, Optional<RecordingFolder> folder) throws IOException {
     if (folder.isPresent()) {
@@ -45,17 +45,18 @@ public final class FlightReports {
     return new FlightReports(file, RecordingFolder.at(temporary.path()), Optional.of(temporary));
   }
 
-  /** Where the flights are to be recorded. */
+  /** The folder in which the flights must be recorded. */
   public RecordingFolder recordings() {
     return recordings;
   }
 
   /**
-   * Writes the reports, after the last recording is closed; does nothing the second time.
+   * Writes the reports. Must be called after the last recording is closed. A second call does
+   * nothing.
    *
-   * @param told takes the file of each report
-   * @param failed takes sentences for people
-   * @return whether all that there is to report was written
+   * @param told receives the file of each report
+   * @param failed receives a sentence for users if a report cannot be written
+   * @return whether all reports were written
    */
   public synchronized boolean write(
       Supplier<ReportTexts> texts, Consumer<Path> told, Consumer<String> failed) {
@@ -89,12 +90,12 @@ public final class FlightReports {
     return false;
   }
 
-  /** Why a report is not there, in a sentence. */
+  /** Returns a sentence that tells users that a report was not written, and why. */
   public static String notWritten(Path file, IOException e) {
     return "The report was not written to " + file + ": " + IoReason.of(e) + ".";
   }
 
-  /** {@code flight.html}, {@code flight-2.html} and so on. */
+  /** Returns the report file for a flight: {@code flight.html}, {@code flight-2.html} and so on. */
   Path numbered(int number) {
     String name = file.getFileName().toString();
     int dot = name.lastIndexOf('.');

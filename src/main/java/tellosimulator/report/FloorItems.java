@@ -1,7 +1,6 @@
 package tellosimulator.report;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -10,15 +9,16 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Footprint;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Shape;
 
-/** Obstacles and mission pads as the page's plan has them, in cm and degrees clockwise. */
+/**
+ * Converts obstacles and mission pads to members of the page's plan, in cm and degrees clockwise.
+ */
 final class FloorItems {
 
-  /** Thickness of a pad that hangs [m]. Decided: to be seen from above. */
+  /** Thickness of a wall-mounted pad in the plan [m]. Decided: enough to be visible from above. */
   private static final double HANGING = 0.04;
 
   private FloorItems() {}
@@ -31,14 +31,16 @@ final class FloorItems {
   }
 
   private static Map<String, Object> obstacle(Obstacle obstacle, ReportTexts texts) {
-    Vec3 size = Footprint.size(obstacle.shape());
+    Vec3 size = obstacle.shape().size();
     double top = obstacle.foot().z() + size.z();
     Map<String, Object> item = item(obstacle.foot(), obstacle.heading(), size);
-    item.put("name", obstacle.name());
-    item.put("label", texts.of("obstacle", obstacle.name(), cm(obstacle.foot().z()), cm(top)));
-    item.put("color", String.format(Locale.ROOT, "#%06x", obstacle.appearance().rgb()));
-    item.put("round", obstacle.shape() instanceof Shape.Cylinder);
-    item.put("gate", obstacle.shape() instanceof Shape.Gate);
+    item.putAll(
+        Json.object(
+            "name", obstacle.name(),
+            "label", texts.of("obstacle", obstacle.name(), cm(obstacle.foot().z()), cm(top)),
+            "color", String.format(Locale.ROOT, "#%06x", obstacle.appearance().rgb()),
+            "round", obstacle.shape().round(),
+            "gate", obstacle.shape() instanceof Shape.Gate));
     return item;
   }
 
@@ -48,23 +50,30 @@ final class FloorItems {
     double heading = hangs ? pad.surface().heading() : pose.attitude().heading();
     Vec3 size = new Vec3(hangs ? HANGING : MissionPad.EDGE, MissionPad.EDGE, 0);
     Map<String, Object> item = item(pose.position(), heading, size);
-    item.put("name", texts.of("pad", pad.id()));
-    item.put("label", texts.of("pad", pad.id()));
-    item.put("color", "#ffffff");
-    item.put("round", false);
-    item.put("gate", false);
-    item.put("pad", pad.id());
+    item.putAll(
+        Json.object(
+            "name",
+            texts.of("pad", pad.id()),
+            "label",
+            texts.of("pad", pad.id()),
+            "color",
+            "#ffffff",
+            "round",
+            false,
+            "gate",
+            false,
+            "pad",
+            pad.id()));
     return item;
   }
 
   private static Map<String, Object> item(Vec3 place, double heading, Vec3 size) {
-    Map<String, Object> item = new LinkedHashMap<>();
-    item.put("x", cm(place.x()));
-    item.put("y", cm(place.y()));
-    item.put("heading", Json.rounded(Frames.yawOfHeading(heading)));
-    item.put("depth", cm(size.x()));
-    item.put("width", cm(size.y()));
-    return item;
+    return Json.object(
+        "x", cm(place.x()),
+        "y", cm(place.y()),
+        "heading", Frames.yawOfHeading(heading),
+        "depth", cm(size.x()),
+        "width", cm(size.y()));
   }
 
   private static long cm(double meters) {

@@ -13,10 +13,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A page with places such as {@code {{title}}}, which are filled in. Not thread-safe.
+ * An HTML page with placeholders such as {@code {{title}}}. Not thread-safe.
  *
- * <p>Values are texts, in which markup is escaped. What goes into a script or a style is put in as
- * it is.
+ * <p>Markup in text values is escaped; scripts and styles are inserted unchanged.
  */
 final class HtmlTemplate {
 
@@ -30,10 +29,11 @@ final class HtmlTemplate {
   }
 
   /**
-   * A page of this package in the language of some texts, with the head that all pages have: it
-   * wants {@code title} and {@link #ownCode}.
+   * Returns a page whose body is a resource of this package, in the language of the texts. The page
+   * begins with the head that all pages share. The caller must set {@code title} and {@link
+   * #ownCode}.
    *
-   * @param name of the resource that has the page's body
+   * @param name name of the resource that contains the page's body
    */
   static HtmlTemplate page(String name, ReportTexts texts) {
     HtmlTemplate page = new HtmlTemplate(resource("head.html") + resource(name));
@@ -41,7 +41,7 @@ final class HtmlTemplate {
     return page.text("language", texts.language());
   }
 
-  /** A resource of this package. */
+  /** Reads a resource of this package. */
   static String resource(String name) {
     try (InputStream file = HtmlTemplate.class.getResourceAsStream(name)) {
       return new String(file.readAllBytes(), StandardCharsets.UTF_8);
@@ -50,15 +50,15 @@ final class HtmlTemplate {
     }
   }
 
-  /** Says what is put into a place. */
+  /** Sets the text for a placeholder; the text is escaped. */
   HtmlTemplate text(String place, String text) {
     return code(place, escaped(text));
   }
 
   /**
-   * Says what is put into a place as it is.
+   * Sets the content for a placeholder; the content is inserted unchanged.
    *
-   * @param code of the program's own
+   * @param code trusted content from this program
    */
   HtmlTemplate code(String place, String code) {
     values.put(place, code);
@@ -66,10 +66,10 @@ final class HtmlTemplate {
   }
 
   /**
-   * Says what the page looks like and what it does: nothing may be loaded or sent, and no other
-   * style or script applies.
+   * Sets the page's style and script. Also sets a policy that forbids any other style or script,
+   * and forbids the page to load or send anything.
    *
-   * @param script empty if the page runs none
+   * @param script the script; empty if the page runs none
    */
   HtmlTemplate ownCode(String style, String script) {
     String policy =
@@ -92,9 +92,9 @@ final class HtmlTemplate {
   }
 
   /**
-   * The page.
+   * Returns the page with all placeholders replaced.
    *
-   * @throws IllegalArgumentException if a place has no value
+   * @throws IllegalArgumentException if a placeholder has no value
    */
   String filled() {
     StringBuilder filled = new StringBuilder();
@@ -111,7 +111,7 @@ final class HtmlTemplate {
     return filled.append(page.substring(end)).toString();
   }
 
-  /** A text as markup has it, also within the quotes of an attribute. */
+  /** Escapes a text for markup, including quoted attribute values. */
   static String escaped(String text) {
     return text.replace("&", "&amp;")
         .replace("<", "&lt;")
@@ -120,8 +120,8 @@ final class HtmlTemplate {
         .replace("'", "&#39;");
   }
 
-  /** JSON that cannot end the script that it is in. */
+  /** Escapes JSON so that it cannot close the script element that contains it. */
   static String escapedJson(String json) {
-    return json.replace("<", "\\u003c"); // stands in texts alone, where this means the same
+    return json.replace("<", "\\u003c"); // "<" occurs only within strings
   }
 }

@@ -1,14 +1,15 @@
 package tellosimulator.report;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.StringJoiner;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 import tellosimulator.json.Json;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
@@ -21,17 +22,17 @@ import tellosimulator.recording.Track;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Room;
 
-/** What the page needs of a flight, as maps and lists for JSON. For one thread. */
+/** Collects the data of the page as maps and lists for JSON. Not thread-safe. */
 final class ReportData {
 
-  /** Most samples of all drones together. Decided: a chart has no more pixels. */
+  /** Maximum total number of samples for all drones. Decided: no chart has more pixels. */
   private static final int MOST_SAMPLES = 12_000;
 
-  /** Colours of drones that are not known. Decided: those of Okabe and Ito. */
+  /** Colours of drones whose colour is unknown. Decided: the palette of Okabe and Ito. */
   private static final List<String> COLORS =
       List.of("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#f0e442");
 
-  /** Of which things there is a mark on the plan. */
+  /** Kinds of entries that are marked on the plan. */
   private static final Set<String> MARKED = Set.of("refused", "failed", "crashed", "touched");
 
   private final RecordedFlight flight;
@@ -58,23 +59,25 @@ final class ReportData {
       entries = entries.subList(0, ReportEntries.MOST);
     }
     ReportSummary summary = new ReportSummary(flight, texts);
-    Map<String, Object> data = new LinkedHashMap<>();
-    data.put("language", texts.language());
-    data.put("texts", texts.all());
-    data.put("begin", Json.rounded(begin));
-    data.put("end", Json.rounded(end));
-    data.put("started", Json.rounded(flight.run().started()));
-    data.put("remarks", remarks);
-    data.put("badges", summary.badges());
-    data.put("facts", summary.facts());
-    data.put("goals", summary.goals());
-    data.put("room", room());
-    data.put("things", FloorItems.of(snapshots.arena(), texts));
+    Map<String, Object> data =
+        Json.object(
+            "language", texts.language(),
+            "texts", texts.all(),
+            "begin", begin,
+            "end", end,
+            "started", flight.run().started(),
+            "remarks", remarks,
+            "badges", summary.badges(),
+            "facts", summary.facts(),
+            "goals", summary.goals(),
+            "score", summary.score(),
+            "room", room(),
+            "things", measured() ? FloorItems.of(snapshots.arena(), texts) : List.of(),
+            "drones", drones(),
+            "entries", entries.stream().map(ReportEntry::members).toList(),
+            "marks", marks(entries),
+            "film", measured() ? new FilmStrip(snapshots).of(begin, end) : FilmStrip.NONE);
     data.putAll(new GoalItems(flight, snapshots.arena(), texts).members());
-    data.put("drones", drones());
-    data.put("entries", entries.stream().map(ReportEntry::members).toList());
-    data.put("marks", marks(entries));
-    data.put("film", new FilmStrip(snapshots).of(begin, end));
     return data;
   }
 
@@ -82,14 +85,31 @@ final class ReportData {
     return clause.substring(0, 1).toUpperCase(Locale.ROOT) + clause.substring(1) + ".";
   }
 
+  /** Whether the dimensions of the room are known; for a real drone, they are not. */
+  private boolean measured() {
+    return flight.run().realDrone().isEmpty();
+  }
+
   private Map<String, Object> room() {
     Arena arena = snapshots.arena();
-    Room room = arena.room();
-    Map<String, Object> members = new LinkedHashMap<>();
-    members.put("width", Json.rounded(Frames.centimeters(room.width())));
-    members.put("depth", Json.rounded(Frames.centimeters(room.depth())));
-    members.put("grid", Json.rounded(Frames.centimeters(arena.decor().grid())));
-    return members;
+    Room room = measured() ? arena.room() : flown();
+    return Json.object(
+        "width", Frames.centimeters(room.width()),
+        "depth", Frames.centimeters(room.depth()),
+        "measured", measured(),
+        "grid", Frames.centimeters(arena.decor().grid()));
+  }
+
+  /** Returns a room that contains all paths with a margin of one metre. */
+  private Room flown() {
+    List<Vec3> places =
+        flight.tracks().stream()
+            .flatMap(track -> track.samples().stream())
+            .map(Sample::position)
+            .toList();
+    double x = places.stream().mapToDouble(place -> Math.abs(place.x())).max().orElse(0);
+    double y = places.stream().mapToDouble(place -> Math.abs(place.y())).max().orElse(0);
+    return new Room(2 * y + 2, 2 * x + 2, Room.DEFAULT.height());
   }
 
   private List<Object> drones() {
@@ -105,7 +125,7 @@ final class ReportData {
     return drones;
   }
 
-  /** Of how many samples one is shown. */
+  /** Returns the interval between the samples that are shown; 1 if all are shown. */
   private int stride() {
     int all = flight.tracks().stream().mapToInt(track -> track.samples().size()).sum();
     return Math.max(1, (all + MOST_SAMPLES - 1) / MOST_SAMPLES);
@@ -119,19 +139,15 @@ final class ReportData {
     for (int i = 0; i < samples.size(); i += stride) {
       shown.add(samples.get(i));
     }
-    Map<String, Object> drone = new LinkedHashMap<>();
-    drone.put("number", number);
-    drone.put(
-        "color",
-        entry
-            .map(DroneEntry::color)
-            .filter(color -> color.matches("#[0-9a-fA-F]{6}"))
-            .orElse(COLORS.get((number - 1) % COLORS.size())));
-    drone.put("start", start(entry.map(DroneEntry::start), shown));
-    drone.put("columns", columns(shown));
-    drone.put("phases", changes(samples, sample -> texts.phase(sample.phase())));
-    drone.put("busy", changes(samples, Sample::command));
-    return drone;
+    Optional<String> color =
+        entry.map(DroneEntry::color).filter(rgb -> rgb.matches("#[0-9a-fA-F]{6}"));
+    return Json.object(
+        "number", number,
+        "color", color.orElse(COLORS.get((number - 1) % COLORS.size())),
+        "start", start(entry.map(DroneEntry::start), shown),
+        "columns", columns(shown),
+        "phases", changes(samples, shown, sample -> texts.phase(sample.phase())),
+        "busy", changes(samples, shown, Sample::command));
   }
 
   private Optional<Track> track(int drone) {
@@ -142,28 +158,52 @@ final class ReportData {
     Vec3 place =
         said.map(Pose::position).orElse(samples.isEmpty() ? Vec3.ZERO : samples.get(0).position());
     double heading = said.map(pose -> pose.attitude().heading()).orElse(0.0);
-    Map<String, Object> start = new LinkedHashMap<>();
-    start.put("x", Json.rounded(Frames.centimeters(place.x())));
-    start.put("y", Json.rounded(Frames.centimeters(place.y())));
-    start.put("heading", Json.rounded(Frames.yawOfHeading(heading)));
-    return start;
+    return Json.object(
+        "x", Frames.centimeters(place.x()),
+        "y", Frames.centimeters(place.y()),
+        "heading", Frames.yawOfHeading(heading));
   }
 
   private static Map<String, Object> columns(List<Sample> samples) {
-    Map<String, Object> columns = new LinkedHashMap<>();
-    columns.put("t", Column.of(samples, 2, Sample::time));
-    columns.put("x", Column.of(samples, 1, each -> Frames.centimeters(each.position().x())));
-    columns.put("y", Column.of(samples, 1, each -> Frames.centimeters(each.position().y())));
-    columns.put("z", Column.of(samples, 1, each -> Frames.centimeters(each.position().z())));
-    columns.put("speed", Column.of(samples, 0, each -> Frames.centimeters(each.velocity().norm())));
-    columns.put("battery", Column.of(samples, 1, Sample::batteryPercent));
-    columns.put("roll", Column.of(samples, 1, each -> each.angles().roll()));
-    columns.put("pitch", Column.of(samples, 1, each -> each.angles().pitch()));
-    columns.put("heading", Column.of(samples, 0, each -> each.angles().heading()));
-    return columns;
+    return Json.object(
+        "t", column(samples, 2, Sample::time),
+        "x", column(samples, 1, each -> Frames.centimeters(each.position().x())),
+        "y", column(samples, 1, each -> Frames.centimeters(each.position().y())),
+        "z", column(samples, 1, each -> Frames.centimeters(each.position().z())),
+        "speed", column(samples, 0, each -> Frames.centimeters(each.velocity().norm())),
+        "battery", column(samples, 1, Sample::batteryPercent),
+        "roll", column(samples, 1, each -> each.angles().roll()),
+        "pitch", column(samples, 1, each -> each.angles().pitch()),
+        "heading", column(samples, 0, each -> each.angles().heading()));
   }
 
-  /** Each moment at which something becomes another one, with what it becomes. */
+  /**
+   * Formats a column in a form that is compact and fast to parse, such as {@code 0 1.5 3}.
+   *
+   * @param decimals maximum number of decimals, without trailing zeros
+   */
+  private static String column(List<Sample> samples, int decimals, ToDoubleFunction<Sample> value) {
+    double power = Math.pow(10, decimals);
+    StringJoiner column = new StringJoiner(" ");
+    for (Sample sample : samples) {
+      double rounded = Math.round(value.applyAsDouble(sample) * power) / power;
+      boolean whole = rounded == Math.rint(rounded);
+      column.add(whole ? Long.toString((long) rounded) : Double.toString(rounded));
+    }
+    return column.toString();
+  }
+
+  /**
+   * Returns the changes of a value in all samples. If there are too many, only the samples shown
+   * are used.
+   */
+  private static List<Object> changes(
+      List<Sample> samples, List<Sample> shown, Function<Sample, String> value) {
+    List<Object> all = changes(samples, value);
+    return all.size() <= MOST_SAMPLES ? all : changes(shown, value);
+  }
+
+  /** Returns the times at which a value changes, each with the new value. */
   private static List<Object> changes(List<Sample> samples, Function<Sample, String> value) {
     List<Object> changes = new ArrayList<>();
     String before = null;
@@ -187,17 +227,16 @@ final class ReportData {
     return marks;
   }
 
-  /** Where the drone was then. */
+  /** Returns a mark at the drone's position at the time of the entry. */
   private static Map<String, Object> mark(ReportEntry entry, Track track) {
     Vec3 place = track.at(entry.time()).position();
     String why = entry.words().why();
-    Map<String, Object> mark = new LinkedHashMap<>();
-    mark.put("t", Json.rounded(entry.time()));
-    mark.put("drone", track.drone());
-    mark.put("kind", entry.kind());
-    mark.put("text", entry.words().text() + (why.isEmpty() ? "" : ": " + why));
-    mark.put("x", Json.rounded(Frames.centimeters(place.x())));
-    mark.put("y", Json.rounded(Frames.centimeters(place.y())));
-    return mark;
+    return Json.object(
+        "t", entry.time(),
+        "drone", track.drone(),
+        "kind", entry.kind(),
+        "text", entry.words().text() + (why.isEmpty() ? "" : ": " + why),
+        "x", Frames.centimeters(place.x()),
+        "y", Frames.centimeters(place.y()));
   }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.stream.Stream;
 import tellosimulator.command.WireText;
 import tellosimulator.recording.RecordedCommand;
 import tellosimulator.recording.RecordedCommand.Outcome;
@@ -16,53 +17,47 @@ import tellosimulator.recording.RecordedEvent;
 import tellosimulator.recording.RecordedFlight;
 
 /**
- * Makes the list of commands and events of a flight. Equal commands that follow each other, as when
- * a program steers or polls, become one entry. For one thread.
+ * Builds the list of commands and events of a flight. Consecutive {@code rc} commands are merged
+ * into one entry, and so are consecutive equal read commands. Not thread-safe.
  */
 public final class ReportEntries {
 
-  /** Most entries that a page shows. Decided: more than anybody reads, and still quick. */
+  /**
+   * Maximum number of entries on a page. Decided: more than a reader needs, and still fast to show.
+   */
   static final int MOST = 3_000;
 
-  /** Kinds of events that are told with their command. */
-  private static final Set<String> OF_COMMANDS =
-      Set.of("command", "reply", "refused", "failed", "ignored");
-
-  /** Severities of what somebody should look at. */
+  /** The severities of entries that need attention. */
   private static final Set<String> WRONG = Set.of("warning", "error");
 
   private final ReportTexts texts;
   private final CommandWords commandWords;
   private final List<ReportEntry> entries = new ArrayList<>();
 
-  /** For each drone the index of its last entry. */
+  /** Index of the last entry for each drone. */
   private final Map<Integer, Integer> last = new HashMap<>();
 
-  /** Entries in the words of a language. */
+  /** Creates a builder for entries in the language of the texts. */
   public ReportEntries(ReportTexts texts) {
     this.texts = texts;
     commandWords = new CommandWords(texts);
   }
 
-  /** All entries, in the order of time. */
+  /** Returns all entries in order of time; a command precedes the events at the same time. */
   public List<ReportEntry> of(RecordedFlight flight) {
-    List<ReportEntry> all = new ArrayList<>();
-    flight.commands().forEach(command -> all.add(of(command)));
-    flight.events().stream().filter(ReportEntries::isToldAlone).forEach(each -> all.add(of(each)));
-    all.sort(Comparator.comparingDouble(ReportEntry::time));
-    all.forEach(this::add);
+    Stream<ReportEntry> commands = flight.commands().stream().map(this::of);
+    Stream<ReportEntry> events =
+        flight.events().stream().filter(event -> !event.severity().equals("detail")).map(this::of);
+    Stream.concat(commands, events)
+        .sorted(Comparator.comparingDouble(ReportEntry::time))
+        .forEach(this::add);
     return List.copyOf(entries);
-  }
-
-  private static boolean isToldAlone(RecordedEvent event) {
-    boolean ofCommand = OF_COMMANDS.contains(event.kind()) || !event.about().command().isEmpty();
-    return !ofCommand && !event.severity().equals("detail");
   }
 
   private ReportEntry of(RecordedCommand command) {
     boolean wrong = command.outcome().wrong();
     String text = WireText.printable(command.text().stripTrailing());
-    String why = wrong ? texts.translated(command.reason()) : "";
+    String why = wrong ? texts.say(command.reason()) : "";
     ReportEntry.Words words =
         new ReportEntry.Words(
             text,
@@ -77,7 +72,7 @@ public final class ReportEntries {
 
   private ReportEntry of(RecordedEvent event) {
     ReportEntry.Words words =
-        new ReportEntry.Words(texts.translated(event.text()), "", "", OptionalDouble.empty(), 1);
+        new ReportEntry.Words(texts.say(event.phrase()), "", "", OptionalDouble.empty(), 1);
     boolean wrong = WRONG.contains(event.severity()) || event.kind().equals("touched");
     return new ReportEntry(event.time(), event.drone(), event.kind(), true, wrong, words);
   }
@@ -103,7 +98,7 @@ public final class ReportEntries {
     return steering || (text.endsWith("?") && textBefore.equals(text));
   }
 
-  /** Whether a command is one that its author wanted to go otherwise. */
+  /** Returns the number of commands with a given outcome. */
   static long count(RecordedFlight flight, Outcome outcome) {
     return flight.commands().stream().filter(each -> each.outcome() == outcome).count();
   }

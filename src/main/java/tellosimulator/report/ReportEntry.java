@@ -1,36 +1,35 @@
 package tellosimulator.report;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import tellosimulator.json.Json;
 
 /**
- * A line of a report's list: a command, or something that happened. Immutable.
+ * A line of a report's list: a command or an event. Immutable.
  *
  * @param time simulated seconds since the simulation began
- * @param drone empty if it concerns all
+ * @param drone the drone's number; empty if the entry concerns all drones
  * @param kind {@code answered}, {@code refused}, {@code crashed} and so on
- * @param event whether it is something that happened, not a command
- * @param wrong whether somebody wanted something else
- * @param words what is written
+ * @param event whether the entry is an event rather than a command
+ * @param wrong whether the operator probably did not intend the outcome
+ * @param words the texts of the entry
  */
 public record ReportEntry(
     double time, OptionalInt drone, String kind, boolean event, boolean wrong, Words words) {
 
   /**
-   * What is written of an entry; each text may be empty.
+   * The texts of an entry; each may be empty.
    *
-   * @param text the command, or what happened
-   * @param reply of the drone
-   * @param why what it means, or why it went wrong
-   * @param lasted how long the reply took [s]
-   * @param count how many equal commands it stands for
+   * @param text the command, or the description of the event
+   * @param reply the drone's reply
+   * @param why the meaning of the command, or the reason for its failure
+   * @param lasted the time from command to reply [s]
+   * @param count the number of commands that the entry represents
    */
   public record Words(String text, String reply, String why, OptionalDouble lasted, int count) {}
 
-  /** The same for one command more, and its reply. */
+  /** Returns a copy of this entry that represents one more command, with the given reply. */
   ReportEntry andOneMore(String reply) {
     Words more =
         new Words(
@@ -42,19 +41,28 @@ public record ReportEntry(
     return new ReportEntry(time, drone, kind, event, wrong, more);
   }
 
-  /** As the page has it. */
+  /** Returns the members for the page's data. */
   Map<String, Object> members() {
-    Map<String, Object> members = new LinkedHashMap<>();
-    members.put("t", Json.rounded(time));
-    drone.ifPresent(number -> members.put("drone", number));
-    members.put("kind", kind);
-    members.put("text", words.text);
-    members.put("reply", words.reply);
-    members.put("why", words.why);
-    words.lasted.ifPresent(seconds -> members.put("lasted", Json.rounded(seconds)));
-    members.put("count", words.count);
-    members.put("event", event);
-    members.put("wrong", wrong);
-    return members;
+    return Json.object(
+        "t",
+        time,
+        "drone",
+        drone,
+        "kind",
+        kind,
+        "text",
+        words.text,
+        "reply",
+        words.reply,
+        "why",
+        words.why,
+        "lasted",
+        words.lasted,
+        "count",
+        words.count,
+        "event",
+        event,
+        "wrong",
+        wrong);
   }
 }

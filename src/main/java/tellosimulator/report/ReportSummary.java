@@ -1,9 +1,10 @@
 package tellosimulator.report;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import tellosimulator.goal.Score;
 import tellosimulator.json.Json;
 import tellosimulator.recording.RecordedCommand.Outcome;
 import tellosimulator.recording.RecordedFlight;
@@ -11,10 +12,13 @@ import tellosimulator.recording.RecordedRun;
 import tellosimulator.recording.RecordedRun.DroneEntry;
 import tellosimulator.world.Room;
 
-/** What is said of a flight as a whole: badges, facts and goals. For any thread. */
+/** The summary of a flight: badges, facts and goals. Thread-safe. */
 record ReportSummary(RecordedFlight flight, ReportTexts texts) {
 
-  /** The result, and what went wrong how often. */
+  /**
+   * Returns badges for the result, for the number of failures of each kind, for the duration, and
+   * for the number of commands.
+   */
   List<Object> badges() {
     List<Object> badges = new ArrayList<>();
     switch (flight.run().result()) {
@@ -22,9 +26,10 @@ record ReportSummary(RecordedFlight flight, ReportTexts texts) {
       case "missed" -> badges.add(badge(texts.of("result.missed"), "bad"));
       case "open" -> badges.add(badge(texts.of("result.open"), ""));
       default -> {
-        // nothing was asked for
+        // no goals
       }
     }
+    flight.run().score().ifPresent(recorded -> badges.add(badge(total(recorded.score()), "")));
     addCount(badges, "count.crashed", events("crashed"));
     addCount(badges, "count.touched", events("touched"));
     addCount(badges, "count.refused", ReportEntries.count(flight, Outcome.REFUSED));
@@ -51,13 +56,10 @@ record ReportSummary(RecordedFlight flight, ReportTexts texts) {
   }
 
   private static Map<String, Object> badge(String text, String mood) {
-    Map<String, Object> badge = new LinkedHashMap<>();
-    badge.put("text", text);
-    badge.put("mood", mood);
-    return badge;
+    return Json.object("text", text, "mood", mood);
   }
 
-  /** Names and values, in pairs. */
+  /** Returns the facts as pairs of a name and a value. */
   List<Object> facts() {
     RecordedRun run = flight.run();
     List<Object> facts = new ArrayList<>();
@@ -98,17 +100,45 @@ record ReportSummary(RecordedFlight flight, ReportTexts texts) {
     }
   }
 
-  List<Object> goals() {
-    List<Object> goals = new ArrayList<>();
-    flight
-        .goals()
-        .forEach(
-            goal -> {
-              Map<String, Object> members = new LinkedHashMap<>();
-              members.put("text", texts.translated(goal.text()));
-              goal.reached().ifPresent(time -> members.put("reached", Json.rounded(time)));
-              goals.add(members);
-            });
-    return goals;
+  private String total(Score score) {
+    return texts.of("score.total", number(score.points()), number(score.of()));
+  }
+
+  private String number(double points) {
+    return texts.say(Score.number(points));
+  }
+
+  /** Returns the points with a row for each entry; empty if the goals have none. */
+  Optional<Map<String, Object>> score() {
+    return flight
+        .run()
+        .score()
+        .map(
+            recorded ->
+                Json.object(
+                    "total", total(recorded.score()),
+                    "entries",
+                        recorded.score().entries().stream()
+                            .map(entry -> row(entry, recorded.takeoff()))
+                            .toList()));
+  }
+
+  private Map<String, Object> row(Score.Entry entry, double takeoff) {
+    boolean won = entry.points() > 0;
+    return Json.object(
+        "t",
+        takeoff + entry.second(),
+        "won",
+        won,
+        "points",
+        (won ? "+" : "−") + number(Math.abs(entry.points())),
+        "why",
+        texts.say(entry.why()));
+  }
+
+  List<Map<String, Object>> goals() {
+    return flight.goals().stream()
+        .map(goal -> Json.object("text", texts.say(goal.phrase()), "reached", goal.reached()))
+        .toList();
   }
 }

@@ -7,25 +7,24 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.ResourceBundle;
 import tellosimulator.words.Phrase;
-import tellosimulator.words.Retranslation;
 import tellosimulator.words.Translation;
 
-/** The localized texts of a report. For one thread at a time. */
+/** The localized texts of a report. Must not be used by two threads at the same time. */
 public final class ReportTexts {
 
   private static final String BASE_NAME = ReportTexts.class.getPackageName() + ".messages";
 
   private final Translation translation;
-  private final Retranslation retranslation;
   private final ResourceBundle bundle;
 
   /**
-   * @param translation of what the simulation says about itself; the texts of the page are English
-   *     where there are none in its language
+   * Creates the texts in the language of a translation.
+   *
+   * @param translation the translation of the simulation's messages; if the page's texts do not
+   *     exist in its language, they are English
    */
   public ReportTexts(Translation translation) {
     this.translation = translation;
-    retranslation = new Retranslation(translation);
     ResourceBundle.Control noSystemLanguage =
         ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES);
     bundle =
@@ -33,7 +32,7 @@ public final class ReportTexts {
             BASE_NAME, translation.locale(), ReportTexts.class.getClassLoader(), noSystemLanguage);
   }
 
-  /** The code of the page's language: {@code de}. */
+  /** The code of the page's language, such as {@code de}. */
   String language() {
     String code = locale().getLanguage();
     return code.isEmpty() ? Locale.ENGLISH.getLanguage() : code;
@@ -43,12 +42,12 @@ public final class ReportTexts {
     return bundle.getLocale();
   }
 
-  /** A text with values in its places. */
+  /** Returns a text with its placeholders replaced by values. */
   String of(String key, Object... values) {
     return Phrase.format(locale(), bundle.getString(key), values);
   }
 
-  /** A text that need not be there, without values. */
+  /** Returns a text with its placeholders still in it; empty if no text has this key. */
   Optional<String> template(String key) {
     return bundle.containsKey(key) ? Optional.of(bundle.getString(key)) : Optional.empty();
   }
@@ -57,17 +56,12 @@ public final class ReportTexts {
     return phrase.in(translation);
   }
 
-  /** What a recording says in English words. */
-  String translated(String english) {
-    return retranslation.of(english);
-  }
-
-  /** The word for what a drone is doing. */
+  /** Returns the word for a flight phase. */
   String phase(String word) {
     return template("phase." + word).orElse(word);
   }
 
-  /** All texts by their keys, their places empty. */
+  /** All texts by key, with their placeholders still in them. */
   Map<String, String> all() {
     Map<String, String> all = new LinkedHashMap<>();
     for (Enumeration<String> keys = bundle.getKeys(); keys.hasMoreElements(); ) {

@@ -15,23 +15,19 @@ import org.snakeyaml.engine.v2.parser.Parser;
 import tellosimulator.scenario.Diagnostic.Place;
 import tellosimulator.words.Phrase;
 
-/** A parser that gives up before there is more in a text, or deeper, than a scenario needs. */
+/** A parser that rejects texts with more values or deeper nesting than a scenario needs. */
 final class BoundedParser implements Parser {
 
-  /** Most values in a file, which bounds the memory that they take. Decided. */
+  /** Maximum number of parser events in a file; bounds memory use. Decided. */
   private static final int MOST_VALUES = 400_000;
 
-  /**
-   * Deepest nesting, which bounds the stack that it takes. Decided: several times what is needed.
-   */
+  /** Maximum nesting depth; bounds stack use. Decided: several times the depth of any scenario. */
   private static final int DEEPEST = 20;
 
-  /** Most aliases of lists and mappings, which bounds the time to read them. Decided. */
+  /** Maximum number of aliases that refer to lists or mappings; bounds parsing time. Decided. */
   private static final int MOST_ALIASES = 50;
 
-  /**
-   * Longest key or value [characters], more than the longest text that means something. Decided.
-   */
+  /** Maximum length of a key or value [characters]. Decided: longer than any valid text. */
   private static final int LONGEST = 10_000;
 
   private final Parser parser;
@@ -44,7 +40,7 @@ final class BoundedParser implements Parser {
     this.parser = parser;
   }
 
-  /** There is more than is read. */
+  /** Thrown if a text exceeds a limit. */
   static final class ExceededException extends RuntimeException {
 
     private static final long serialVersionUID = 1;
@@ -83,9 +79,9 @@ final class BoundedParser implements Parser {
   }
 
   /**
-   * The next event.
+   * Returns the next event.
    *
-   * @throws ExceededException if it is one too many
+   * @throws ExceededException if the event exceeds a limit
    */
   @Override
   public Event next() {
@@ -111,7 +107,11 @@ final class BoundedParser implements Parser {
     return event;
   }
 
-  /** Counts aliases of lists and mappings. */
+  /**
+   * Records the anchor of a list or mapping, or counts an alias that refers to one.
+   *
+   * @throws ExceededException if there are too many such aliases
+   */
   private void count(Optional<Anchor> anchor, Event event) {
     if (anchor.isEmpty()) {
       return;

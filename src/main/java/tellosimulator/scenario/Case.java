@@ -9,11 +9,14 @@ import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import tellosimulator.words.Phrase;
 
 /**
- * Which keys must be there, and which must not, in one of several cases.
+ * A rule by which the value, presence or absence of one key requires or excludes other keys.
  *
- * @param key that decides
- * @param word that it must have as its value; empty for any
- * @param present whether it is there
+ * @param key the key that selects the case
+ * @param word the value that the key must have; empty if any value selects the case
+ * @param present true if the rule applies when the key is present; false if it applies when the key
+ *     is absent
+ * @param needed the keys that the rule requires
+ * @param excluded the keys that the rule excludes
  */
 record Case(
     String key,
@@ -22,17 +25,17 @@ record Case(
     List<String> needed,
     List<String> excluded) {
 
-  /** If a key has a value. */
+  /** Creates a rule that applies if a key has a certain value. */
   static Case of(String key, String word) {
     return new Case(key, Optional.of(word), true, List.of(), List.of());
   }
 
-  /** If there is a key. */
+  /** Creates a rule that applies if a key is present. */
   static Case with(String key) {
     return new Case(key, Optional.empty(), true, List.of(), List.of());
   }
 
-  /** If there is no such key. */
+  /** Creates a rule that applies if a key is absent. */
   static Case without(String key) {
     return new Case(key, Optional.empty(), false, List.of(), List.of());
   }
@@ -45,7 +48,10 @@ record Case(
     return new Case(key, word, present, needed, List.of(keys));
   }
 
-  /** Tells what is missing, or too much, in what was read. */
+  /**
+   * If the rule applies to a mapping, reports required keys that are missing and excluded keys that
+   * are present.
+   */
   void check(Entries in, Phrase phrase) {
     Node value = in.nodes().get(key);
     boolean applies =
@@ -72,7 +78,7 @@ record Case(
     }
   }
 
-  /** The same as JSON schema. */
+  /** Returns the rule as a JSON schema. */
   Map<String, Object> schema() {
     Map<String, Object> condition = Codec.object("required", List.of(key));
     word.ifPresent(value -> condition.put("properties", Map.of(key, Codec.object("const", value))));

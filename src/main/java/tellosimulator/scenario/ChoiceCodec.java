@@ -7,11 +7,14 @@ import org.snakeyaml.engine.v2.common.FlowStyle;
 import tellosimulator.words.Phrase;
 
 /**
- * A mapping with exactly one of several keys, which says what is described.
+ * Codec of a mapping that contains exactly one of several keys. The key determines the kind of its
+ * value.
  *
- * @param <T> what all of them describe
+ * @param <T> the common type of all values
  */
 final class ChoiceCodec<T> extends RecordCodec<T> {
+
+  private Function<T, Field<T, ?>> chosen;
 
   ChoiceCodec(String name, Phrase phrase, String description) {
     super(name, phrase, description);
@@ -23,13 +26,20 @@ final class ChoiceCodec<T> extends RecordCodec<T> {
         });
   }
 
+  /** Adds an alternative: a key and the codec of its value. */
+  <V extends T> Field<T, V> or(String key, Codec<V> codec) {
+    @SuppressWarnings("unchecked") // the chosen key has values of this type
+    Function<T, Optional<V>> getter =
+        value -> chosen.apply(value).key().equals(key) ? Optional.of((V) value) : Optional.empty();
+    return key(key, "").optional(codec, getter);
+  }
+
   /**
-   * Adds a key.
-   *
-   * @param chosen the value if this is its key
+   * Sets the function that returns the key under which a value is written. Must be called after the
+   * last alternative has been added.
    */
-  <V extends T> ChoiceCodec<T> or(String key, Codec<V> codec, Function<T, Optional<V>> chosen) {
-    key(key, "").optional(codec, chosen);
+  ChoiceCodec<T> choosing(Function<T, Field<T, ?>> newChosen) {
+    chosen = newChosen;
     return this;
   }
 

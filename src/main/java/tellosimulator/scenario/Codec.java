@@ -6,58 +6,66 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import org.snakeyaml.engine.v2.nodes.Node;
-import tellosimulator.scenario.Field.Usual;
+import tellosimulator.scenario.Field.Default;
 
 /**
- * How a value is read from a scenario file, written to one, and described to editors. Immutable.
+ * Reads and writes one kind of value in scenario files, and describes it to text editors with a
+ * JSON schema. Immutable.
  *
- * @param <T> the value in the program, in SI
+ * @param <T> the type of the value in the program, where all quantities are in SI units
  */
 interface Codec<T> {
 
   /**
-   * What codecs need to know of the file that they read.
+   * The properties of a file that codecs need when reading it.
    *
-   * @param diagnostics to which they tell what is wrong
-   * @param folder from which the file names its pictures
-   * @param looked whether a picture that is not there is a mistake
-   * @param drones how many there are
+   * @param diagnostics receives the errors
+   * @param folder the folder to which the names of image files are relative
+   * @param looked whether a missing image file is an error
+   * @param drones the number of drones in the file
+   * @param draw the random numbers for ranges
    */
-  record Context(Diagnostics diagnostics, Path folder, boolean looked, int drones) {
+  record Context(
+      Diagnostics diagnostics, Path folder, boolean looked, int drones, CourseDraw draw) {
 
     Context withDrones(int newDrones) {
-      return new Context(diagnostics, folder, looked, newDrones);
+      return new Context(diagnostics, folder, looked, newDrones, draw);
     }
   }
 
-  /** The value of a node; empty if it has none, which is told to the mistakes of the context. */
+  /**
+   * Reads the value of a node. If it is invalid, reports an error to the context and returns empty.
+   */
   Optional<T> read(Node node, Context context);
 
   /**
-   * The node of a value.
+   * Returns the node of a value.
    *
-   * @param folder in which the file will be
+   * @param folder the folder that will contain the file
    */
   Node write(T value, Path folder);
 
   /**
-   * Its JSON schema.
+   * Returns the JSON schema of the value.
    *
-   * @param definitions by name, to which it adds those that it refers to
+   * @param definitions all definitions by name; receives the definitions to which the schema refers
    */
   Map<String, Object> schema(Map<String, Object> definitions);
 
-  /** The same with a usual value, which is left out of a text. */
-  default Usual<T> or(T usual) {
-    return new Usual<>(this, usual, false);
+  /** Returns this codec with a default value that is omitted when writing. */
+  default Default<T> or(T usual) {
+    return new Default<>(this, usual, false);
   }
 
-  /** The same with a usual value, which is written nevertheless. */
-  default Usual<T> orWritten(T usual) {
-    return new Usual<>(this, usual, true);
+  /** Returns this codec with a default value that is written like any other value. */
+  default Default<T> orWritten(T usual) {
+    return new Default<>(this, usual, true);
   }
 
-  /** The same for values that these can be converted to, and from. */
+  /**
+   * Returns a codec for values of another type, which are converted to and from values of this
+   * codec.
+   */
   default <U> Codec<U> map(Function<T, U> to, Function<U, T> from) {
     Codec<T> codec = this;
     return new Codec<>() {
@@ -78,7 +86,11 @@ interface Codec<T> {
     };
   }
 
-  /** A JSON object of keys and values in turn, in their order. */
+  /**
+   * Returns a JSON object with the given keys and values in order.
+   *
+   * @param keysAndValues keys and values, alternating
+   */
   static Map<String, Object> object(Object... keysAndValues) {
     Map<String, Object> object = new LinkedHashMap<>();
     for (int i = 0; i < keysAndValues.length; i += 2) {

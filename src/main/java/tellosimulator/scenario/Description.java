@@ -3,16 +3,16 @@ package tellosimulator.scenario;
 import java.util.Optional;
 
 /**
- * What a scenario says about itself to people. Immutable; for any thread.
+ * The description of a scenario for users. Immutable.
  *
- * @param name what it is called; may be empty
- * @param teaches one line on what one learns by it; may be empty
- * @param difficulty how hard it is, as far as it is said
+ * @param name the name of the scenario; may be empty
+ * @param teaches one line about the learning goal of the scenario; may be empty
+ * @param difficulty the difficulty of the scenario, if given
  */
 public record Description(
     LocalizedText name, LocalizedText teaches, Optional<Difficulty> difficulty) {
 
-  /** Nothing. */
+  /** An empty description. */
   public static final Description NONE =
       new Description(LocalizedText.NONE, LocalizedText.NONE, Optional.empty());
 }

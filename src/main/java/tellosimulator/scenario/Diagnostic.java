@@ -5,23 +5,22 @@ import tellosimulator.words.Phrase;
 import tellosimulator.words.Translation;
 
 /**
- * Something that is wrong in a file. Immutable.
+ * An error in a file. Immutable.
  *
- * @param file its name as it was given
- * @param place where it is wrong
+ * @param file the file's name as it was given
+ * @param place the position of the error
  * @param phrase what was expected and what was found
  */
 public record Diagnostic(String file, Place place, Phrase phrase) {
 
   /**
-   * A place in a file, as editors count.
+   * A position in a file, with the line and column that editors display.
    *
-   * @param line from 1; 0 for the file as a whole
-   * @param column from 1; 0 for the file as a whole
+   * @param line the line, from 1; 0 for the file as a whole
+   * @param column the column, from 1; 0 for the file as a whole
    */
   public record Place(int line, int column) implements Comparable<Place> {
 
-    /** The file as a whole. */
     public static final Place WHOLE = new Place(0, 0);
 
     @Override
@@ -32,13 +31,16 @@ public record Diagnostic(String file, Place place, Phrase phrase) {
     }
   }
 
-  /** In a language: {@code room.yaml:12:7: expected a length in cm, found "abc"}. */
+  /**
+   * Formats this error in a language, for example {@code room.yaml:12:7: expected a length in cm,
+   * found "abc"}.
+   */
   public String in(Translation language) {
     String where = place.line() == 0 ? "" : ":" + place.line() + ":" + place.column();
     return file + where + ": " + phrase.in(language);
   }
 
-  /** In English. */
+  /** Formats this error in English. */
   @Override
   public String toString() {
     return in(Translation.ENGLISH);

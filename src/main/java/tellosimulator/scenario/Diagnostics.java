@@ -13,30 +13,31 @@ import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import tellosimulator.scenario.Diagnostic.Place;
 import tellosimulator.words.Phrase;
 
-/** Collects what is wrong in a file. */
+/** Collects the errors in a file. */
 final class Diagnostics {
 
-  /** More than anybody reads at once. Decided. */
+  /** Maximum number of errors that are kept. Decided: more than a user reads at once. */
   private static final int MOST = 100;
 
-  /** Longest piece of a file that is repeated in a sentence [characters]. */
+  /** Maximum length of a quotation from a file in a message [characters]. */
   private static final int LONGEST_SHOWN = 40;
 
   private final String file;
   private final List<Diagnostic> found = new ArrayList<>();
   private int count;
+  private int misfits;
 
   Diagnostics(String file) {
     this.file = file;
   }
 
-  /** Empty, for who cannot go on. */
+  /** Adds an error, and returns empty, so that a reader can return this as its result. */
   <T> Optional<T> add(Node node, Phrase phrase) {
     add(place(node), () -> phrase);
     return Optional.empty();
   }
 
-  /** A node is not what is expected; empty, for who cannot go on. */
+  /** Adds an error about an unexpected node, and returns empty. */
   <T> Optional<T> expected(Phrase expected, Node node) {
     return add(node, Phrase.of("expected %s, found %s", expected, found(node)));
   }
@@ -45,7 +46,10 @@ final class Diagnostics {
     add(place, () -> phrase);
   }
 
-  /** Beyond the most that are kept, the phrase is not made. */
+  /**
+   * Adds an error. Once {@link #MOST} errors are stored, further errors are only counted, and their
+   * phrases are not created.
+   */
   void add(Place place, Supplier<Phrase> phrase) {
     count++;
     if (found.size() < MOST) {
@@ -53,15 +57,36 @@ final class Diagnostics {
     }
   }
 
-  /** How many there are so far. */
+  /** Adds an error that another draw of the numbers in the file may avoid. */
+  void misfit(Place place, Phrase phrase) {
+    misfits++;
+    add(place, phrase);
+  }
+
+  /** Whether there are errors, all of which another draw may avoid. */
+  boolean mayFitAnotherTime() {
+    return count > 0 && misfits == count;
+  }
+
+  /** Creates an exception that gives the first error as the reason why no course was found. */
+  ScenarioException noCourse(int attempts, long seed) {
+    Diagnostic last = found.get(0);
+    Phrase phrase =
+        Phrase.of(
+            "none of %d courses drawn from seed %s fits; in the last one, %s",
+            attempts, Long.toString(seed), last.phrase());
+    return new ScenarioException(List.of(new Diagnostic(file, last.place(), phrase)));
+  }
+
+  /** Returns the number of errors so far, including those that were only counted. */
   int count() {
     return count;
   }
 
   /**
-   * In the order of their places.
+   * Throws an exception that lists the errors, sorted by position, if there are any.
    *
-   * @throws ScenarioException if there are any
+   * @throws ScenarioException if there are any errors
    */
   void check() throws ScenarioException {
     if (count == 0) {
@@ -77,7 +102,7 @@ final class Diagnostics {
     throw new ScenarioException(sorted);
   }
 
-  /** What is in a node, for people: {@code "abc"}. */
+  /** Describes the content of a node for users, for example {@code "abc"}. */
   static Object found(Node node) {
     if (node instanceof MappingNode) {
       return Phrase.of("a mapping");
@@ -91,7 +116,7 @@ final class Diagnostics {
         : shown(scalar.getValue());
   }
 
-  /** A piece of a file in quotation marks. */
+  /** Quotes a part of a file on one line, shortened if necessary. */
   static String shown(String text) {
     String clean =
         text.codePoints()

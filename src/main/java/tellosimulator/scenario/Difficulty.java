@@ -1,6 +1,6 @@
 package tellosimulator.scenario;
 
-/** How much a scenario asks of who programs for it. */
+/** The programming skill that a scenario requires. */
 public enum Difficulty {
   EASY,
   MEDIUM,

@@ -4,22 +4,28 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import tellosimulator.scenario.Scenario.Station;
+import tellosimulator.scenario.Scenario.CommandAddress;
 import tellosimulator.sim.DroneSetup;
 
 /**
- * Where a drone of an opened scenario comes from: how it was opened, and how the document has it,
- * which differ in what options say about all scenarios. Immutable; for any thread.
+ * The origin of a drone in an opened scenario: the drone's setup when the scenario was opened, and
+ * its setup in the document. The two differ if an option that applies to all scenarios overrides
+ * the document. Immutable.
  *
- * @param opened as it was opened
- * @param station where it takes commands
- * @param written as the document has it
- * @param writtenStation where it takes commands after the document
+ * @param opened the drone's setup when the scenario was opened
+ * @param station the drone's command address when the scenario was opened
+ * @param written the drone's setup in the document
+ * @param writtenStation the drone's command address in the document
  */
 public record DroneOrigin(
-    DroneSetup opened, Station station, DroneSetup written, Station writtenStation) {
+    DroneSetup opened, CommandAddress station, DroneSetup written, CommandAddress writtenStation) {
 
-  /** Those of all drones of a scenario, of which the document has as many. */
+  /**
+   * Returns the origins of all drones of a scenario.
+   *
+   * @param written the scenario in the document
+   * @param opened the scenario as it was opened, with the same number of drones
+   */
   static List<DroneOrigin> of(Scenario written, Scenario opened) {
     List<DroneOrigin> origins = new ArrayList<>();
     for (int i = 0; i < opened.stations().size(); i++) {
@@ -33,19 +39,22 @@ public record DroneOrigin(
     return List.copyOf(origins);
   }
 
-  /** Another drone of the same product: at the address, and in the colour, of its own number. */
+  /**
+   * Returns an origin for an additional drone of the same product. The drone has the same ports,
+   * and the default address and colour for its number.
+   */
   public DroneOrigin another() {
     return new DroneOrigin(
         opened.withColor(OptionalInt.empty()),
-        new Station(Optional.empty(), station.port()),
+        new CommandAddress(Optional.empty(), station.port()),
         written.withColor(OptionalInt.empty()),
-        new Station(Optional.empty(), writtenStation.port()));
+        new CommandAddress(Optional.empty(), writtenStation.port()));
   }
 
   /**
-   * The same in another colour.
+   * Returns a copy of this origin with another colour.
    *
-   * @param rgb as one writes #rrggbb
+   * @param rgb the colour as {@code 0xrrggbb}
    */
   public DroneOrigin painted(int rgb) {
     return new DroneOrigin(
@@ -55,7 +64,12 @@ public record DroneOrigin(
         writtenStation);
   }
 
-  /** What is to be saved of the drone as it is now, so that no option gets into a file. */
+  /**
+   * Returns the drone to be saved. Its current start, product and stream ports are saved only if
+   * they have changed since the scenario was opened, so that values from options are not saved.
+   *
+   * @param now the drone's current setup
+   */
   DroneSetup toSave(DroneSetup now) {
     return written
         .withStart(EditedScenario.changed(written.start(), opened.start(), now.start()))

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import tellosimulator.goal.Challenge;
-import tellosimulator.scenario.Scenario.Station;
+import tellosimulator.scenario.Scenario.CommandAddress;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
@@ -13,12 +13,12 @@ import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 
 /**
- * An opened scenario with what somebody has changed in it since: room, drones and goals. Immutable;
- * for any thread.
+ * An opened scenario, together with the changes that have since been made to its room, drones and
+ * goals. Immutable.
  *
- * @param opened as it was opened or last saved
- * @param present as it is now
- * @param origins of its drones, in the order of their numbers
+ * @param opened the scenario as it was opened or last saved
+ * @param present the scenario as it is now
+ * @param origins the origins of its drones, in the order of drone numbers
  */
 public record EditedScenario(OpenedScenario opened, Scenario present, List<DroneOrigin> origins) {
 
@@ -26,7 +26,7 @@ public record EditedScenario(OpenedScenario opened, Scenario present, List<Drone
     origins = List.copyOf(origins);
   }
 
-  /** One in which nothing was changed. */
+  /** Creates an edited scenario without changes. */
   public static EditedScenario of(OpenedScenario opened) {
     Scenario scenario = opened.scenario();
     return new EditedScenario(
@@ -34,16 +34,19 @@ public record EditedScenario(OpenedScenario opened, Scenario present, List<Drone
   }
 
   /**
-   * The same as it is in a simulation of it now.
+   * Returns a copy of this scenario, updated to the current state of its simulation.
    *
-   * @param snapshot with as many drones
-   * @param challenge what is asked for now
+   * @param snapshot a snapshot with the same number of drones
+   * @param challenge the current challenge
    */
   public EditedScenario in(SimSnapshot snapshot, Challenge challenge) {
     return new EditedScenario(opened, present.asIn(snapshot).withChallenge(challenge), origins);
   }
 
-  /** The same with what somebody has planned, which may be another number of drones. */
+  /**
+   * Returns a copy of this scenario with the room, drones and goals of a plan. The number of drones
+   * may differ.
+   */
   public EditedScenario planned(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
     SimConfig config = present.config();
     List<DroneOrigin> left = new ArrayList<>(origins);
@@ -52,7 +55,7 @@ public record EditedScenario(OpenedScenario opened, Scenario present, List<Drone
       int index = left.indexOf(drone.origin());
       DroneSetup setup = index < 0 ? drone.origin().opened() : config.drones().get(index);
       if (index >= 0) {
-        left.set(index, null); // of two alike, each is taken once
+        left.set(index, null); // so that drones with equal origins get different setups
       }
       setups.add(setup.withStart(drone.start()));
     }
@@ -66,14 +69,15 @@ public record EditedScenario(OpenedScenario opened, Scenario present, List<Drone
     return new EditedScenario(opened, planned, theirs);
   }
 
-  /** The same after it was written to a file. */
+  /** Returns a copy of this scenario whose source is the file to which it has just been saved. */
   public EditedScenario savedAs(ScenarioDocument document, Path file) {
     return new EditedScenario(OpenedScenario.of(document, file).with(present), present, origins);
   }
 
   /**
-   * What is to be saved: what has changed since it was opened, and the rest as the document has it,
-   * so that no option gets into a file.
+   * Returns the scenario to be saved. Values that have changed since the scenario was opened are
+   * taken from the current scenario. All others are taken from the document, so that options are
+   * not saved.
    */
   public Scenario toSave() {
     Scenario written = opened.document().scenario();
@@ -82,7 +86,7 @@ public record EditedScenario(OpenedScenario opened, Scenario present, List<Drone
     for (DroneOrigin origin : origins) {
       drones.add(origin.toSave(present.config().drones().get(drones.size())));
     }
-    List<Station> stations = origins.stream().map(DroneOrigin::writtenStation).toList();
+    List<CommandAddress> stations = origins.stream().map(DroneOrigin::writtenStation).toList();
     Arena arena = changed(written.config().arena(), was.config().arena(), present.config().arena());
     return new Scenario(
         written.description(),
@@ -107,14 +111,18 @@ public record EditedScenario(OpenedScenario opened, Scenario present, List<Drone
         changed(written.wind(), opened.wind(), now.wind()));
   }
 
-  /** What is there now, or what was written if that has not changed since it was opened. */
+  /**
+   * Returns the value to be saved: the current one, or the written one if the value has not changed
+   * since the scenario was opened.
+   */
   static <T> T changed(T written, T opened, T now) {
     return now.equals(opened) ? written : now;
   }
 
   /**
-   * Whether saving would change something. In a room that nobody opened only what was placed there
-   * counts: nobody saves a room for its size.
+   * Returns whether there are changes to be saved. If the scenario comes from neither a file nor
+   * the gallery, only obstacles, mission pads, goals and colours count, because the size of a room
+   * alone is not worth saving.
    */
   public boolean unsaved() {
     Scenario written = opened.document().scenario();

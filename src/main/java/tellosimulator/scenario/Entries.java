@@ -9,7 +9,7 @@ import java.util.Set;
 import org.snakeyaml.engine.v2.nodes.Node;
 import tellosimulator.words.Phrase;
 
-/** What was read of a mapping. */
+/** The entries of a mapping that have been read so far. */
 final class Entries {
 
   private final Node node;
@@ -25,11 +25,11 @@ final class Entries {
     this.diagnosticsBefore = context.diagnostics().count();
   }
 
-  /** Reads the value of a key. */
+  /** Reads the value of a key, or uses its default. Reports a missing required key. */
   <V> void read(Field<?, V> field, Phrase phrase) {
     int before = context.diagnostics().count();
     Node value = nodes.get(field.key());
-    Optional<V> read = field.usual().map(Field.Usual::value);
+    Optional<V> read = field.usual().map(Field.Default::value);
     if (value != null) {
       read = field.codec().read(value, context);
     } else if (field.needed()) {
@@ -43,32 +43,32 @@ final class Entries {
     }
   }
 
-  /** Tells that a key is missing. */
+  /** Reports a missing key. */
   void need(String key, Phrase phrase) {
     context.diagnostics().add(node, Phrase.of("%s needs the key %s", phrase, key));
   }
 
-  /** Takes the node of a key; false if there is one already. */
+  /** Stores the node of a key; returns false if the key already has one. */
   boolean put(String key, Node value) {
     return nodes.putIfAbsent(key, value) == null;
   }
 
-  /** Whether nothing was wrong so far. */
+  /** Returns whether everything that has been read so far is valid. */
   boolean sound() {
     return context.diagnostics().count() == diagnosticsBefore;
   }
 
-  /** Whether nothing was wrong with the value of a key. */
+  /** Returns whether the value of a key was read without errors. */
   boolean sound(Field<?, ?> field) {
     return !unsound.contains(field.key());
   }
 
-  /** Where the mapping is. */
+  /** The node of the mapping. */
   Node node() {
     return node;
   }
 
-  /** The nodes of the keys that are there. */
+  /** The nodes of all present keys. */
   Map<String, Node> nodes() {
     return nodes;
   }
@@ -77,30 +77,41 @@ final class Entries {
     return context.diagnostics();
   }
 
-  /** A value that is there, or its usual one; to be called for what is sound. */
+  /**
+   * Returns a value, or its default if the key is missing. Must be called only if one of them
+   * exists.
+   */
   <V> V get(Field<?, V> field) {
     return find(field).orElseThrow();
   }
 
-  /** The only value that is there. */
+  /** Returns the only value of a mapping that has exactly one. */
   Object only() {
     return values.values().iterator().next();
   }
 
-  /** A value; empty if it is not there, or could not be read, and has no usual one. */
-  @SuppressWarnings("unchecked") // the field put it there
+  /**
+   * Returns a value, or its default if the key is missing. Returns empty if the value could not be
+   * read, or if the key is missing and has no default.
+   */
+  @SuppressWarnings("unchecked") // stored by the field itself
   <V> Optional<V> find(Field<?, V> field) {
     return Optional.ofNullable((V) values.get(field.key()));
   }
 
-  /** The same of a number. */
+  /** Returns a number; empty in the same cases as {@link #find}. */
   OptionalInt findInt(Field<?, Integer> field) {
     Optional<Integer> found = find(field);
     return found.isPresent() ? OptionalInt.of(found.get()) : OptionalInt.empty();
   }
 
-  /** Tells that a value is wrong that is there. */
+  /** Reports an error in the value of a key that is present. */
   void diagnostic(Field<?, ?> field, Phrase phrase) {
     context.diagnostics().add(nodes.get(field.key()), phrase);
+  }
+
+  /** Reports that the value of a key that is present does not fit another value. */
+  void misfit(Field<?, ?> field, Phrase phrase) {
+    context.diagnostics().misfit(Diagnostics.place(nodes.get(field.key())), phrase);
   }
 }

@@ -3,7 +3,6 @@ package tellosimulator.scenario;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.EnumSet;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -31,10 +30,13 @@ import tellosimulator.fault.LinkDirection;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.words.Phrase;
 
-/** A fault: one line of text, or a mapping with the same words. It is written as a line. */
+/**
+ * Codec of a fault. A fault is read from one line of text or from a mapping with the same words,
+ * and is always written as a line.
+ */
 final class FaultCodec implements Codec<Fault> {
 
-  /** Longest line [characters]. Decided: everything that a fault can have fits. */
+  /** Maximum length of a line [characters]. Decided: enough for all parts of a fault. */
   private static final int LONGEST = 300;
 
   private final FaultMapping mapping = new FaultMapping();
@@ -66,7 +68,7 @@ final class FaultCodec implements Codec<Fault> {
     return told(node, context, () -> Fault.of(text.get()));
   }
 
-  /** Something that can be wrong. */
+  /** Creates a value, or throws a {@link FaultTextException} if the arguments are invalid. */
   @FunctionalInterface
   private interface Attempt<T> {
     T make();
@@ -96,18 +98,18 @@ final class FaultCodec implements Codec<Fault> {
             mapping.schema(definitions)));
   }
 
-  /** The same as a mapping. */
+  /** Codec of a fault in the form of a mapping. */
   private static final class FaultMapping extends RecordCodec<Fault> {
 
     private final Field<Fault, FaultKind> kind =
-        key("fault", "What goes wrong.").need(new WordCodec<>(FaultKind.byWord()), Fault::kind);
+        key("fault", "Faults.").need(new WordCodec<>(FaultKind.byWord()), Fault::kind);
     private final Field<Fault, Set<LinkDirection>> direction =
-        key("direction", "Which way over the link; without it, all of them.")
+        key("direction", "Direction over the link. Default: all directions.")
             .optional(new Directions(), FaultMapping::unwritten);
     private final Map<FaultParameter, Field<Fault, Double>> parameters =
         new EnumMap<>(FaultParameter.class);
     private final Field<Fault, Integer> drone =
-        key("drone", "Number of the drone; without it, all of them.")
+        key("drone", "Number of the drone. Default: all drones.")
             .optional(
                 Scalars.count(
                     Phrase.of("the number of a drone from 1 to %d", AddressPlan.MOST_DRONES),
@@ -115,13 +117,13 @@ final class FaultCodec implements Codec<Fault> {
                     AddressPlan.MOST_DRONES),
                 FaultMapping::unwritten);
     private final Field<Fault, Double> at =
-        key("at", "When it begins, after the first takeoff; without it, at once.")
+        key("at", "Time of its beginning, after the first takeoff. Default: immediately.")
             .optional(new Quantity(word -> FaultText.time(word, "at")), FaultMapping::unwritten);
     private final Field<Fault, String> after =
-        key("after", "The command after which it begins; what the command begins with.")
+        key("after", "Beginning of the command after which it starts.")
             .optional(Scalars.LINE, FaultMapping::unwritten);
     private final Field<Fault, Integer> nth =
-        key("nth", "The how manieth such command.")
+        key("nth", "Number of that command's occurrence, from 1.")
             .optional(
                 Scalars.count(
                     Phrase.of("a number from 1 to %d", FaultText.HIGHEST_NTH),
@@ -129,7 +131,7 @@ final class FaultCodec implements Codec<Fault> {
                     FaultText.HIGHEST_NTH),
                 FaultMapping::unwritten);
     private final Field<Fault, Double> duration =
-        key("for", "How long; without it, for ever.")
+        key("for", "Duration. Default: unlimited.")
             .optional(new Quantity(word -> FaultText.time(word, "for")), FaultMapping::unwritten);
 
     FaultMapping() {
@@ -152,19 +154,20 @@ final class FaultCodec implements Codec<Fault> {
       return Character.toUpperCase(words.charAt(0)) + words.substring(1) + ".";
     }
 
-    /** Faults are written as lines. */
+    /** Returns no value, since faults are written only as lines. */
     private static <V> Optional<V> unwritten(Fault fault) {
       return Optional.empty();
     }
 
     private void check(Entries in) {
       FaultKind chosen = in.get(kind);
-      for (Field<Fault, Double> field : parameters.values()) {
-        if (in.find(field).isPresent()) {
-          Map<FaultParameter, Double> only = Map.of(parameter(field), in.get(field));
-          attempt(in, field, () -> new Fault(chosen, Target.ALL, only, Span.ALWAYS));
-        }
-      }
+      values(in)
+          .forEach(
+              (parameter, value) ->
+                  attempt(
+                      in,
+                      parameters.get(parameter),
+                      () -> new Fault(chosen, Target.ALL, Map.of(parameter, value), Span.ALWAYS)));
       if (in.find(direction).isPresent()) {
         attempt(in, direction, () -> new Fault(chosen, target(in), Map.of(), Span.ALWAYS));
       }
@@ -181,12 +184,11 @@ final class FaultCodec implements Codec<Fault> {
       }
     }
 
-    private FaultParameter parameter(Field<Fault, Double> wanted) {
-      return parameters.entrySet().stream()
-          .filter(entry -> entry.getValue().equals(wanted))
-          .map(Map.Entry::getKey)
-          .findFirst()
-          .orElseThrow();
+    private Map<FaultParameter, Double> values(Entries in) {
+      Map<FaultParameter, Double> values = new EnumMap<>(FaultParameter.class);
+      parameters.forEach(
+          (parameter, field) -> in.find(field).ifPresent(value -> values.put(parameter, value)));
+      return values;
     }
 
     private Target target(Entries in) {
@@ -194,9 +196,6 @@ final class FaultCodec implements Codec<Fault> {
     }
 
     private Fault make(Entries in) {
-      Map<FaultParameter, Double> values = new HashMap<>();
-      parameters.forEach(
-          (parameter, field) -> in.find(field).ifPresent(value -> values.put(parameter, value)));
       Begin begin = in.find(at).<Begin>map(AfterTakeoff::new).orElse(new AtOnce());
       if (in.find(after).isPresent()) {
         begin = new AfterCommand(in.get(after), in.find(nth).orElse(1));
@@ -204,11 +203,11 @@ final class FaultCodec implements Codec<Fault> {
       Optional<Double> seconds = in.find(duration);
       OptionalDouble span =
           seconds.isPresent() ? OptionalDouble.of(seconds.get()) : OptionalDouble.empty();
-      return new Fault(in.get(kind), target(in), values, new Span(begin, span));
+      return new Fault(in.get(kind), target(in), values(in), new Span(begin, span));
     }
   }
 
-  /** A number with or without its unit. */
+  /** Codec of a number with or without a unit, such as {@code 20%}. */
   private record Quantity(Function<String, Double> reader) implements Codec<Double> {
 
     @Override
@@ -232,7 +231,7 @@ final class FaultCodec implements Codec<Fault> {
     }
   }
 
-  /** One direction, or a list of them. */
+  /** Codec of one direction or a list of directions. */
   private record Directions() implements Codec<Set<LinkDirection>> {
 
     private static final WordCodec<LinkDirection> WORD = WordCodec.of(LinkDirection.values());

@@ -11,28 +11,28 @@ import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 
 /**
- * A key of a mapping, and the value under it. Immutable.
+ * A key of a mapping and its value. Immutable.
  *
- * @param <T> what the mapping describes
- * @param <V> the value
- * @param getter the value to write; empty for none
- * @param usual what it is if the key is not there; empty for nothing
- * @param needed whether the key must be there
+ * @param <T> the type that the mapping describes
+ * @param <V> the type of the value
+ * @param getter returns the value to be written; empty if the key is not written
+ * @param usual the default if the key is missing; empty if there is none
+ * @param needed whether the key is required
  */
 record Field<T, V>(
     Key<T> name,
     Codec<V> codec,
     Function<T, Optional<V>> getter,
-    Optional<Usual<V>> usual,
+    Optional<Default<V>> usual,
     boolean needed) {
 
   /**
-   * A codec and what it means if its key is not there.
+   * A codec and the default for a missing key.
    *
-   * @param value the usual one
-   * @param written whether it is written nevertheless, rather than left out
+   * @param value the default value
+   * @param written whether the default is written rather than omitted
    */
-  record Usual<V>(Codec<V> codec, V value, boolean written) {
+  record Default<V>(Codec<V> codec, V value, boolean written) {
 
     private boolean leftOut(V other, Node node, Path folder) {
       return !written
@@ -41,34 +41,36 @@ record Field<T, V>(
   }
 
   /**
-   * A key to which the codec of its value is still to come.
+   * A key that has no codec yet.
    *
-   * @param description for editors; empty for none
-   * @param owner gets to know the field
+   * @param description the description for editors; may be empty
+   * @param owner receives the field once its codec is known
    */
   record Key<T>(String key, String description, Consumer<Field<T, ?>> owner) {
 
-    /** It must be there. */
+    /** Makes the key required. */
     <V> Field<T, V> need(Codec<V> codec, Function<T, V> getter) {
       return added(codec, getter.andThen(Optional::of), Optional.empty(), true);
     }
 
-    /** It has a usual value. */
-    <V> Field<T, V> usual(Usual<V> usual, Function<T, V> getter) {
+    /** Makes the key optional with a default. */
+    <V> Field<T, V> usual(Default<V> usual, Function<T, V> getter) {
       return optional(usual, getter.andThen(Optional::of));
     }
 
-    /** It has a usual value, but is not written of everything. */
-    <V> Field<T, V> optional(Usual<V> usual, Function<T, Optional<V>> getter) {
+    /**
+     * Makes the key optional with a default; the value is written only if the getter returns one.
+     */
+    <V> Field<T, V> optional(Default<V> usual, Function<T, Optional<V>> getter) {
       return added(usual.codec(), getter, Optional.of(usual), false);
     }
 
-    /** It can be there. */
+    /** Makes the key optional. */
     <V> Field<T, V> optional(Codec<V> codec, Function<T, Optional<V>> getter) {
       return added(codec, getter, Optional.empty(), false);
     }
 
-    /** It can be there; of a number. */
+    /** Makes the key optional, with a number as its value. */
     Field<T, Integer> optionalInt(Codec<Integer> codec, Function<T, OptionalInt> getter) {
       return optional(
           codec,
@@ -79,7 +81,10 @@ record Field<T, V>(
     }
 
     private <V> Field<T, V> added(
-        Codec<V> codec, Function<T, Optional<V>> getter, Optional<Usual<V>> usual, boolean needed) {
+        Codec<V> codec,
+        Function<T, Optional<V>> getter,
+        Optional<Default<V>> usual,
+        boolean needed) {
       Field<T, V> field = new Field<>(this, codec, getter, usual, needed);
       owner.accept(field);
       return field;
@@ -90,7 +95,10 @@ record Field<T, V>(
     return name.key();
   }
 
-  /** The node of the value that something has, marked if it is left out of a text. */
+  /**
+   * Returns the node of the value; empty if there is no value. If the value is a default to be
+   * omitted from the text, the node is marked as a default.
+   */
   Optional<Node> write(T described, Path folder) {
     Optional<V> value = getter.apply(described);
     return value.map(
@@ -101,7 +109,7 @@ record Field<T, V>(
         });
   }
 
-  /** The JSON schema of the value. */
+  /** Returns the JSON schema of the value. */
   Map<String, Object> schema(Map<String, Object> definitions) {
     Map<String, Object> schema = codec.schema(definitions);
     if (!name.description().isEmpty()) {

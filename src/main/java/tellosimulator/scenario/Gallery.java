@@ -8,10 +8,10 @@ import java.util.Locale;
 import java.util.Optional;
 import tellosimulator.words.Spelling;
 
-/** The scenarios that come with the program. For any thread. */
+/** The scenarios that come with the program. Thread-safe. */
 public final class Gallery {
 
-  /** Their short names, the easiest first. */
+  /** The short names of all scenarios that come with the program, easiest first. */
   public static final List<String> NAMES =
       List.of(
           "empty-room",
@@ -27,17 +27,20 @@ public final class Gallery {
 
   private Gallery() {}
 
-  /** The one of a short name, if there is such a one. */
+  /** Returns the scenario with a short name; empty if there is none. */
   public static Optional<Scenario> find(String name) {
     return open(name).map(ScenarioDocument::scenario);
   }
 
-  /** The same, to change and to save it. */
+  /**
+   * Returns the document of the scenario with a short name, for editing and saving; empty if there
+   * is none.
+   */
   public static Optional<ScenarioDocument> open(String name) {
     return NAMES.contains(name) ? Optional.of(read(name)) : Optional.empty();
   }
 
-  /** What a scenario is called in a language whose English name is known; that name if unknown. */
+  /** Translates the English name of a scenario; unknown names are returned unchanged. */
   public static String nameIn(String english, Locale locale) {
     return NAMES.stream()
         .map(name -> read(name).scenario().description().name())
@@ -47,12 +50,14 @@ public final class Gallery {
         .orElse(english);
   }
 
-  /** The short name of the one after a scenario; empty after the last. */
+  /**
+   * Returns the short name that follows the given one in {@link #NAMES}; empty after the last one.
+   */
   public static Optional<String> next(String name) {
     return NAMES.stream().skip(NAMES.indexOf(name) + 1L).findFirst();
   }
 
-  /** The name that was meant. */
+  /** Returns the short name most similar to a misspelled one; empty if none is similar. */
   static Optional<String> meant(String name) {
     return Spelling.meant(name, NAMES);
   }

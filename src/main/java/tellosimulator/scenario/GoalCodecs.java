@@ -10,69 +10,69 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Goal.Direction;
 import tellosimulator.goal.GoalRegion;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.words.Phrase;
 
-/** Codecs of goals. Whether what they name is there is looked at afterwards. */
+/**
+ * Codecs of goals. Whether the gates and mission pads named by goals exist is checked by {@link
+ * ScenarioValidator}.
+ */
 final class GoalCodecs {
-
-  /** Usual radius [m]. Decided: an arm's length is too far, a hand's breadth too near. */
-  private static final double RADIUS = 0.3;
 
   private GoalCodecs() {}
 
-  /** A goal of any kind. */
+  /** Returns the codec of a goal of any kind. */
   static Codec<Goal> goal() {
-    return new ChoiceCodec<Goal>("goal", Phrase.of("a goal"), "One goal.")
-        .or("reach", reach(), goal -> only(Goal.Reach.class, goal))
-        .or("hover", hover(), goal -> only(Goal.Hover.class, goal))
-        .or("pass", pass(), goal -> only(Goal.Pass.class, goal))
-        .or("land", land(), goal -> only(Goal.Land.class, goal))
-        .or("land-on", landOn(), goal -> only(Goal.LandOn.class, goal));
-  }
-
-  private static <G extends Goal> Optional<G> only(Class<G> type, Goal goal) {
-    return type.isInstance(goal) ? Optional.of(type.cast(goal)) : Optional.empty();
+    ChoiceCodec<Goal> codec = new ChoiceCodec<>("goal", Phrase.of("a goal"), "One goal.");
+    Field<Goal, ?> reach = codec.or("reach", reach());
+    Field<Goal, ?> hover = codec.or("hover", hover());
+    Field<Goal, ?> pass = codec.or("pass", pass());
+    Field<Goal, ?> land = codec.or("land", land());
+    Field<Goal, ?> landOn = codec.or("land-on", landOn());
+    Field<Goal, ?> see = codec.or("see", see());
+    Goal.Cases<Field<Goal, ?>> keys =
+        new Goal.Cases<>(
+            goal -> reach, goal -> hover, goal -> pass, goal -> land, goal -> landOn, goal -> see);
+    return codec.choosing(goal -> goal.match(keys));
   }
 
   private static Codec<Goal.Reach> reach() {
     KindCodec<Goal.Reach> reach =
-        new KindCodec<>("reach", Phrase.of("a place to reach"), "To be at a place.");
+        new KindCodec<>("reach", Phrase.of("a place to reach"), "Reach a place.");
     Function<Entries, GoalRegion> region = reach.region(Goal.Reach::region);
-    return reach.madeFor((in, drone) -> new Goal.Reach(drone, region.apply(in)));
+    return reach.madeFor((in, terms) -> new Goal.Reach(terms, region.apply(in)));
   }
 
   private static Codec<Goal.Hover> hover() {
     KindCodec<Goal.Hover> hover =
-        new KindCodec<>("hover", Phrase.of("a place to hover"), "To stay at a place.");
+        new KindCodec<>("hover", Phrase.of("a place to hover"), "Stay at a place.");
     Function<Entries, GoalRegion> region = hover.region(Goal.Hover::region);
     Field<Goal.Hover, Double> seconds =
         hover
-            .key("seconds", "How long without a break.")
-            .need(
-                NumberCodec.seconds(Goal.SHORTEST_HOVER, Goal.LONGEST_HOVER), Goal.Hover::seconds);
-    return hover.madeFor((in, drone) -> new Goal.Hover(drone, region.apply(in), in.get(seconds)));
+            .key("seconds", "Duration without interruption.")
+            .need(NumberCodec.seconds(Quantity.HOVER_TIME), Goal.Hover::seconds);
+    return hover.madeFor((in, terms) -> new Goal.Hover(terms, region.apply(in), in.get(seconds)));
   }
 
   private static Codec<Goal.Pass> pass() {
     KindCodec<Goal.Pass> pass =
-        new KindCodec<>(
-            "pass", Phrase.of("a gate to pass"), "To fly through the opening of a gate.");
+        new KindCodec<>("pass", Phrase.of("a gate to pass"), "Fly through the opening of a gate.");
     Field<Goal.Pass, String> gate =
-        pass.key("gate", "The gate's name.").need(Scalars.LINE, Goal.Pass::gate);
+        pass.key("gate", "Name of the gate.").need(Scalars.LINE, Goal.Pass::gate);
     Field<Goal.Pass, Direction> direction =
         pass.key("direction", "Along the gate's heading, against it, or either way.")
             .usual(WordCodec.of(Direction.values()).or(Direction.EITHER), Goal.Pass::direction);
-    return pass.madeFor((in, drone) -> new Goal.Pass(drone, in.get(gate), in.get(direction)));
+    return pass.madeFor((in, terms) -> new Goal.Pass(terms, in.get(gate), in.get(direction)));
   }
 
   private static Codec<Goal.Land> land() {
     KindCodec<Goal.Land> land =
-        new KindCodec<>("land", Phrase.of("a place to land"), "To land at a place.");
+        new KindCodec<>("land", Phrase.of("a place to land"), "Land at a place.");
     Function<Entries, GoalRegion> region =
         land.region("The place: [x, y] in cm.", Scalars.FLOOR_POINT, Goal.Land::region);
-    return land.madeFor((in, drone) -> new Goal.Land(drone, region.apply(in)));
+    return land.madeFor((in, terms) -> new Goal.Land(terms, region.apply(in)));
   }
 
   private static Codec<Goal.LandOn> landOn() {
@@ -80,13 +80,54 @@ final class GoalCodecs {
         new KindCodec<>(
             "land-on",
             Phrase.of("a pad to land on"),
-            "To land on a mission pad that lies on the floor.");
+            "Land on a mission pad that lies on the floor.");
     Field<Goal.LandOn, Integer> pad =
-        landOn.key("pad", "Its number.").need(RoomCodecs.PAD_ID, Goal.LandOn::pad);
-    return landOn.madeFor((in, drone) -> new Goal.LandOn(drone, in.get(pad)));
+        landOn.key("pad", "Number of the mission pad.").need(RoomCodecs.PAD_ID, Goal.LandOn::pad);
+    return landOn.madeFor((in, terms) -> new Goal.LandOn(terms, in.get(pad)));
   }
 
-  /** A kind of goal, with the keys that several of them have. */
+  private static Codec<Goal.See> see() {
+    KindCodec<Goal.See> see =
+        new KindCodec<>(
+            "see",
+            Phrase.of("a poster or pad to see"),
+            "Have a poster or a mission pad in the picture of the forward camera.");
+    Field<Goal.See, String> poster =
+        see.key("poster", "Name of the poster.")
+            .optional(
+                Scalars.LINE,
+                goal ->
+                    goal.target() instanceof Goal.NamedPoster named
+                        ? Optional.of(named.name())
+                        : Optional.empty());
+    Field<Goal.See, Integer> pad =
+        see.key("pad", "Number of the mission pad.")
+            .optionalInt(
+                RoomCodecs.PAD_ID,
+                goal ->
+                    goal.target() instanceof Goal.NumberedPad numbered
+                        ? OptionalInt.of(numbered.pad())
+                        : OptionalInt.empty());
+    Field<Goal.See, Double> size =
+        see.key("size", "Minimum share of the picture's width that it covers, in percent.")
+            .usual(
+                NumberCodec.percent(Quantity.SIGHT).or(Goal.DEFAULT_SIZE), Goal.See::sizePercent);
+    Field<Goal.See, Double> seconds =
+        see.key("seconds", "Duration without interruption.")
+            .usual(NumberCodec.seconds(Quantity.HOVER_TIME).or(1.0), Goal.See::seconds);
+    see.add(Case.with("poster").excludes("pad"));
+    see.add(Case.without("poster").needs("pad"));
+    return see.madeFor(
+        (in, terms) -> {
+          Goal.Target target =
+              in.find(poster)
+                  .<Goal.Target>map(Goal.NamedPoster::new)
+                  .orElseGet(() -> new Goal.NumberedPad(in.get(pad)));
+          return new Goal.See(terms, target, in.get(size), in.get(seconds));
+        });
+  }
+
+  /** Codec of one kind of goal. Declares the keys that several kinds share. */
   private static final class KindCodec<G extends Goal> extends RecordCodec<G> {
 
     KindCodec(String name, Phrase phrase, String description) {
@@ -98,29 +139,33 @@ final class GoalCodecs {
       return region(description, Scalars.POINT, getter);
     }
 
-    /** Declares a place and its radius. */
+    /**
+     * Declares the keys of a place and its radius; returns the function that creates the region.
+     */
     Function<Entries, GoalRegion> region(
         String description, Codec<Vec3> place, Function<G, GoalRegion> getter) {
       Field<G, Vec3> at = key("at", description).need(place, getter.andThen(GoalRegion::place));
       Field<G, Double> radius =
-          key("radius", "How near is near enough, in cm.")
+          key("radius", "Maximum distance from the place, in cm.")
               .usual(
-                  NumberCodec.length(GoalRegion.SMALLEST * 100, Scalars.LONGEST_CM)
-                      .orWritten(RADIUS),
+                  NumberCodec.length(Quantity.GOAL_RADIUS).orWritten(GoalRegion.DEFAULT_RADIUS),
                   getter.andThen(GoalRegion::radius));
       return in -> new GoalRegion(in.get(at), in.get(radius));
     }
 
-    /** Declares, as the last key, which drone shall do it. */
-    Codec<G> madeFor(BiFunction<Entries, OptionalInt, G> maker) {
+    /** Declares the keys of the goal's terms, and how the goal is created. Must be called last. */
+    Codec<G> madeFor(BiFunction<Entries, Terms, G> maker) {
       Field<G, Integer> drone =
-          key("drone", "The number of the drone that shall do it; without it, any.")
+          key("drone", "Number of the drone that must do it. Default: any drone.")
               .optionalInt(new DroneNumber(), Goal::drone);
-      return made(in -> maker.apply(in, in.findInt(drone)));
+      Field<G, Double> points =
+          key("points", "Points for reaching the goal.")
+              .usual(NumberCodec.POINTS.or(0.0), goal -> goal.terms().points());
+      return made(in -> maker.apply(in, new Terms(in.findInt(drone), in.get(points))));
     }
   }
 
-  /** The number of one of as many drones as the file has. */
+  /** Codec of a drone number. The file must contain a drone with that number. */
   private record DroneNumber() implements Codec<Integer> {
 
     private static final Codec<Integer> OF_ANY = upTo(AddressPlan.MOST_DRONES);

@@ -13,25 +13,26 @@ import tellosimulator.scenario.Diagnostic.Place;
 import tellosimulator.words.Phrase;
 
 /**
- * A list, each item on lines of its own. Items that cannot be read are left out.
+ * Codec of a list in which each item starts a new line. Invalid items are reported and left out.
  *
- * @param most how many there can be
+ * @param most maximum number of items
  */
 record ListCodec<T>(Codec<T> codec, int most) implements Codec<List<ListCodec.Item<T>>> {
 
   /**
    * An item of a list.
    *
-   * @param number from 1, in the file
-   * @param place in the file
+   * @param number the number of the item in the file, from 1
+   * @param place the position of the item in the file
+   * @param drawn whether the item contains ranges
    */
-  record Item<T>(T value, int number, Place place) {
+  record Item<T>(T value, int number, Place place, boolean drawn) {
 
-    /** Items that no file has yet. */
+    /** Returns items for values that are not in a file yet. */
     static <T> List<Item<T>> of(List<T> values) {
       List<Item<T>> items = new ArrayList<>(values.size());
       for (T value : values) {
-        items.add(new Item<>(value, items.size() + 1, Place.WHOLE));
+        items.add(new Item<>(value, items.size() + 1, Place.WHOLE, false));
       }
       return items;
     }
@@ -44,9 +45,9 @@ record ListCodec<T>(Codec<T> codec, int most) implements Codec<List<ListCodec.It
       return values;
     }
 
-    /** Another value in its place. */
+    /** Returns a copy of this item with another value. */
     <U> Item<U> with(U other) {
-      return new Item<>(other, number, place);
+      return new Item<>(other, number, place, drawn);
     }
   }
 
@@ -67,7 +68,8 @@ record ListCodec<T>(Codec<T> codec, int most) implements Codec<List<ListCodec.It
     for (int i = 0; i < nodes.size(); i++) {
       Optional<T> value = codec.read(nodes.get(i), context);
       if (value.isPresent()) {
-        items.add(new Item<>(value.get(), i + 1, Diagnostics.place(nodes.get(i))));
+        boolean drawn = context.draw().varies(nodes.get(i));
+        items.add(new Item<>(value.get(), i + 1, Diagnostics.place(nodes.get(i)), drawn));
       }
     }
     return Optional.of(items);

@@ -7,24 +7,23 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A line for people, in one language or several. Immutable; for any thread.
+ * A line of text for users, in one or more languages. Immutable.
  *
- * @param lines by language, as ISO 639 abbreviates it ({@code de}), in the order in which they were
- *     written; a line that is the same in all languages has the empty key
+ * @param lines the lines by ISO 639 language code ({@code de}), in the order in which they were
+ *     written; a line for all languages has the empty key
  */
 public record LocalizedText(Map<String, String> lines) {
 
-  /** No text. */
   public static final LocalizedText NONE = new LocalizedText(Map.of());
 
-  /** The key of a line that is the same in all languages. */
+  /** The key of a line for all languages. */
   private static final String ANY = "";
 
   public LocalizedText {
     lines = Collections.unmodifiableMap(new LinkedHashMap<>(lines));
   }
 
-  /** A line that is the same in all languages; none if it is empty. */
+  /** Creates a text for all languages; an empty line gives an empty text. */
   public static LocalizedText of(String line) {
     return line.isEmpty() ? NONE : new LocalizedText(Map.of(ANY, line));
   }
@@ -33,12 +32,15 @@ public record LocalizedText(Map<String, String> lines) {
     return lines.isEmpty();
   }
 
-  /** The line, if it is the same in all languages. */
+  /** The line for all languages, if there is one. */
   Optional<String> only() {
     return Optional.ofNullable(lines.get(ANY));
   }
 
-  /** The line in a language, or else in English, or else the first one; empty if there is none. */
+  /**
+   * Returns the line in a language. If there is none, returns the English line, or else the first
+   * one. Returns an empty string if the text has no lines.
+   */
   public String in(Locale locale) {
     return Optional.ofNullable(lines.get(locale.getLanguage()))
         .or(() -> Optional.ofNullable(lines.get(Locale.ENGLISH.getLanguage())))
@@ -46,7 +48,10 @@ public record LocalizedText(Map<String, String> lines) {
         .orElse("");
   }
 
-  /** In English, or else as {@link #in} says. */
+  /**
+   * Returns the English line. If there is none, returns the first one, or an empty string if the
+   * text has no lines.
+   */
   public String english() {
     return in(Locale.ENGLISH);
   }

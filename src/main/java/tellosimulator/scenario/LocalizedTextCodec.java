@@ -14,16 +14,14 @@ import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.Tag;
 import tellosimulator.words.Phrase;
 
-/** A line of text, or a mapping with a line for each of several languages. */
+/** Codec of a text: a single line, or a mapping of language codes to lines. */
 record LocalizedTextCodec() implements Codec<LocalizedText> {
 
-  /** Documented: ISO 639-1 and 639-2, of which each language can be, not only the program's. */
+  /**
+   * The form of language codes. Documented: ISO 639-1 and 639-2. All languages are allowed, not
+   * only those into which the program is translated.
+   */
   private static final Pattern LANGUAGE = Pattern.compile("[a-z]{2,3}");
-
-  /** Whether a key is the code of a language. */
-  static boolean isLanguage(String key) {
-    return LANGUAGE.matcher(key).matches();
-  }
 
   @Override
   public Optional<LocalizedText> read(Node node, Context context) {
@@ -50,7 +48,7 @@ record LocalizedTextCodec() implements Codec<LocalizedText> {
   }
 
   private static Optional<String> language(Node key, Diagnostics diagnostics) {
-    Optional<String> language = Scalars.text(key).filter(LocalizedTextCodec::isLanguage);
+    Optional<String> language = Scalars.text(key).filter(LANGUAGE.asMatchPredicate());
     return language.isPresent()
         ? language
         : diagnostics.expected(Phrase.of("a language such as en or de"), key);

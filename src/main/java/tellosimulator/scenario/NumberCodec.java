@@ -13,137 +13,147 @@ import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 import tellosimulator.fault.FaultParameter;
-import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenario.Quantity.Unit;
 import tellosimulator.words.Phrase;
 
 /**
- * A number that may have decimals, in SI in the program.
+ * Codec of a number that may have decimals, or of a range from which it is drawn. The program uses
+ * the number in SI units.
  *
- * @param unit in which it is written
- * @param expected what is told of a number that is none, or out of range
- * @param least in the written unit
- * @param most in the written unit
+ * @param expected a noun phrase for a valid number, for error messages
  */
-record NumberCodec(Unit unit, Phrase expected, double least, double most) implements Codec<Double> {
+record NumberCodec(Quantity quantity, Phrase expected) implements Codec<Double> {
 
-  /** Not all that Java's numbers can be, and short enough to be no burden. */
+  /** The form of numbers: a subset of the forms that Java accepts, with limited length. */
   private static final Pattern FORM =
       Pattern.compile("(?=.{1,40}$)[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?");
 
-  /** A time with its unit. */
+  /** The form of a time with its unit. */
   private static final String TIME = "^[0-9]{1,9}(\\.[0-9]{1,9})?(ms|s|min)$";
 
-  /** Numbers are read to the millionth, so that they are the same after they were written. */
+  /**
+   * Number of rounding steps in one unit. Numbers are rounded to a millionth of their unit when
+   * they are read, so that a number that is written and read again does not change.
+   */
   private static final double PRECISION = 1e6;
 
-  /** What a number means. */
-  enum Unit {
-    /** Itself. */
-    ONE,
-    /** A length or a speed, which becomes one of metres. */
-    CENTIMETER,
-    /** Degrees counter-clockwise, which become radians within ±π. */
-    DEGREE,
-    /** A time, which may also be written with its unit, such as 90s. */
-    SECOND
-  }
-
-  /** Degrees counter-clockwise, as radians within ±π. */
+  /** Codec of an angle in degrees counter-clockwise, converted to radians within ±π. */
   static final NumberCodec ANGLE =
-      new NumberCodec(Unit.DEGREE, Phrase.of("an angle in degrees from -360 to 360"), -360, 360);
+      new NumberCodec(Quantity.ANGLE, Phrase.of("an angle in degrees from -360 to 360"));
 
-  /** A number as it is. */
-  static NumberCodec of(Phrase expected, double least, double most) {
-    return new NumberCodec(Unit.ONE, expected, least, most);
+  /** Codec of points that are won or lost. */
+  static final NumberCodec POINTS =
+      new NumberCodec(
+          Quantity.POINTS, Phrase.of("points from 0 to %s", plain(Quantity.POINTS.most())));
+
+  /** Returns a codec for a time in seconds. */
+  static NumberCodec seconds(Quantity time) {
+    return new NumberCodec(
+        time, Phrase.of("seconds from %s to %s", plain(time.least()), plain(time.most())));
   }
 
-  /** A time in seconds. */
-  static NumberCodec seconds(double least, double most) {
-    Phrase expected = Phrase.of("seconds from %s to %s", plain(least), plain(most));
-    return new NumberCodec(Unit.SECOND, expected, least, most);
+  /** Returns a codec for a percentage. */
+  static NumberCodec percent(Quantity share) {
+    return new NumberCodec(
+        share, Phrase.of("percent from %s to %s", plain(share.least()), plain(share.most())));
   }
 
-  /** A length in centimetres, as metres. */
-  static NumberCodec length(double leastCm, double mostCm) {
-    Phrase expected = Phrase.of("a length in cm from %s to %s", plain(leastCm), plain(mostCm));
-    return new NumberCodec(Unit.CENTIMETER, expected, leastCm, mostCm);
+  /** Returns a codec for a length in centimetres, converted to metres. */
+  static NumberCodec length(Quantity length) {
+    return new NumberCodec(
+        length,
+        Phrase.of("a length in cm from %s to %s", plain(length.least()), plain(length.most())));
   }
 
-  /** A speed in centimetres a second, as metres a second. */
-  static NumberCodec speed(double mostCm) {
-    Phrase expected = Phrase.of("a speed in cm/s from 0 to %s", plain(mostCm));
-    return new NumberCodec(Unit.CENTIMETER, expected, 0, mostCm);
+  /** Returns a codec for a speed in centimetres per second, converted to metres per second. */
+  static NumberCodec speed(Quantity speed) {
+    return new NumberCodec(speed, Phrase.of("a speed in cm/s from 0 to %s", plain(speed.most())));
   }
 
   @Override
   public Optional<Double> read(Node node, Context context) {
-    double value = number(node);
-    if (value >= least && value <= most) {
-      return Optional.of(inSi(value));
+    Optional<String> word = Scalars.text(node).filter(text -> text.contains(".."));
+    if (word.isPresent()) {
+      return drawn(word.get(), node, context);
     }
-    return context.diagnostics().expected(expected, node);
+    double value = number(node);
+    return quantity.contains(value)
+        ? Optional.of(quantity.inSi(value))
+        : context.diagnostics().expected(expected, node);
+  }
+
+  /** Reads a number that is drawn from a range. */
+  private Optional<Double> drawn(String word, Node node, Context context) {
+    Optional<CourseDraw.Range> range =
+        CourseDraw.Range.of(word)
+            .filter(ends -> quantity.contains(ends.least()) && quantity.contains(ends.most()));
+    if (range.isPresent() && !context.draw().varies(node)) {
+      return context.diagnostics().expected(expected, node); // only courses are drawn
+    }
+    if (range.isEmpty()) {
+      Phrase wanted = Phrase.of("%s, or a range of them such as 80..120", expected);
+      return context.diagnostics().expected(wanted, node);
+    }
+    CourseDraw.Range ends = range.get();
+    if (ends.least() > ends.most()) {
+      Phrase wanted =
+          Phrase.of(
+              "the smaller number first, as in %s..%s", plain(ends.most()), plain(ends.least()));
+      return context.diagnostics().expected(wanted, node);
+    }
+    return Optional.of(quantity.inSi(context.draw().number(ends, node)));
   }
 
   @Override
   public Node write(Double value, Path folder) {
-    return switch (unit) {
-      case ONE, SECOND -> Yaml.number(value);
-      case CENTIMETER -> Yaml.number(value * 100);
-      case DEGREE -> Yaml.number(degrees(value));
-    };
+    return Yaml.number(quantity.written(value));
   }
 
   @Override
   public Map<String, Object> schema(Map<String, Object> definitions) {
     Map<String, Object> schema = Codec.object("type", "number");
-    schema.put("minimum", new BigDecimal(plain(least)));
-    schema.put("maximum", new BigDecimal(plain(most)));
-    return unit == Unit.SECOND
-        ? Codec.object("anyOf", List.of(schema, Codec.object("type", "string", "pattern", TIME)))
-        : schema;
+    schema.put("minimum", new BigDecimal(plain(quantity.least())));
+    schema.put("maximum", new BigDecimal(plain(quantity.most())));
+    definitions.put(
+        "range",
+        Codec.object(
+            "description",
+            "A range, from which the number is drawn by the seed, such as 80..120.",
+            "type",
+            "string",
+            "pattern",
+            CourseDraw.FORM));
+    List<Object> forms = new ArrayList<>(List.of(schema, Codec.object("$ref", "#/$defs/range")));
+    if (quantity.unit() == Unit.SECOND) {
+      forms.add(Codec.object("type", "string", "pattern", TIME));
+    }
+    return Codec.object("anyOf", forms);
   }
 
-  /** The number that a node is, or NaN. */
+  /** Returns the number in a node; NaN if there is none. */
   private double number(Node node) {
     String word = node instanceof ScalarNode scalar && scalar.isPlain() ? scalar.getValue() : "";
     double number = FORM.matcher(word).matches() ? Double.parseDouble(word) : Double.NaN;
-    boolean time = unit == Unit.SECOND && word.matches(TIME);
+    boolean time = quantity.unit() == Unit.SECOND && word.matches(TIME);
     return rounded(time ? FaultParameter.Unit.SECONDS.read(word).orElse(number) : number);
   }
 
-  private double inSi(double value) {
-    if (unit == Unit.CENTIMETER) {
-      return Frames.meters(value);
-    }
-    return unit == Unit.DEGREE ? StrictMath.toRadians(within180(value)) : value;
-  }
-
-  /** Above -180 and up to 180, as they are read. */
-  private static double degrees(double radians) {
-    return within180(rounded(StrictMath.toDegrees(Frames.wrapped(radians))));
-  }
-
-  private static double within180(double degrees) {
-    double turned = degrees > 180 ? degrees - 360 : degrees;
-    return turned <= -180 ? turned + 360 : turned;
-  }
-
-  /** To the millionth. */
+  /** Rounds to a millionth. Returns numbers that are too large for this unchanged. */
   static double rounded(double value) {
     double scaled = value * PRECISION;
     return Math.abs(scaled) < 1L << 53 ? Math.rint(scaled) / PRECISION + 0.0 : value;
   }
 
-  /** Without decimals that say nothing. */
+  /** Formats a number without trailing zeros. */
   static String plain(double value) {
     return new BigDecimal(Double.toString(rounded(value))).stripTrailingZeros().toPlainString();
   }
 
   /**
-   * A vector of lengths: {@code [x, y]}, whose z is 0, or {@code [x, y, z]}.
+   * Codec of a vector of lengths: {@code [x, y]}, with z = 0, or {@code [x, y, z]}.
    *
-   * @param size 2 or 3
+   * @param size the number of components, 2 or 3
    */
   record Vector(int size, NumberCodec length) implements Codec<Vec3> {
 
@@ -156,7 +166,9 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
             .expected(
                 Phrase.of(
                     "%s in cm, each from %s to %s",
-                    names, NumberCodec.plain(length.least()), NumberCodec.plain(length.most())),
+                    names,
+                    NumberCodec.plain(length.quantity().least()),
+                    NumberCodec.plain(length.quantity().most())),
                 node);
       }
       double[] lengths = new double[3];

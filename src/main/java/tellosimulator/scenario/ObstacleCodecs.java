@@ -8,9 +8,8 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenario.Notation.Ends;
+import tellosimulator.scenario.SourceForm.Kind;
 import tellosimulator.words.Phrase;
-import tellosimulator.world.Footprint;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.ObstacleAppearance.Pattern;
@@ -22,57 +21,60 @@ import tellosimulator.world.Shape;
 final class ObstacleCodecs {
 
   /**
-   * An obstacle and how a file writes it.
+   * An obstacle together with its form in a file.
    *
-   * @param obstacle without a name if the file gives it none
+   * @param obstacle the obstacle; its name is empty if the file contains none
    */
-  record NotedObstacle(Notation notation, Obstacle obstacle) {
+  record ParsedObstacle(SourceForm notation, Obstacle obstacle) {}
 
-    private Optional<NotedObstacle> of(String kind) {
-      return notation.kind().equals(kind) ? Optional.of(this) : Optional.empty();
-    }
-
-    private NotedObstacle withEnds(Ends ends) {
-      return new NotedObstacle(notation.withEnds(ends, obstacle), obstacle);
-    }
-  }
-
-  /** The names of obstacles; those without one get one that no other has: {@code box 1}. */
-  static List<String> names(List<NotedObstacle> entries) {
+  /**
+   * Returns the names of obstacles. An obstacle without a name gets a unique one such as {@code box
+   * 1}.
+   */
+  static List<String> names(List<ParsedObstacle> entries) {
     ObstacleNames names = new ObstacleNames();
-    for (NotedObstacle entry : entries) {
+    for (ParsedObstacle entry : entries) {
       names.take(entry.obstacle().name());
     }
     List<String> given = new ArrayList<>();
-    for (NotedObstacle entry : entries) {
+    for (ParsedObstacle entry : entries) {
       String name = entry.obstacle().name();
-      given.add(name.isEmpty() ? names.next(entry.notation().kind()) : name);
+      given.add(name.isEmpty() ? names.next(entry.notation().kind().word()) : name);
     }
     return given;
   }
 
-  /** An obstacle of any kind. */
-  static Codec<NotedObstacle> obstacle() {
-    return new ChoiceCodec<NotedObstacle>("obstacle", Phrase.of("an obstacle"), "One obstacle.")
-        .or("box", box(), entry -> entry.of("box"))
-        .or("cylinder", cylinder(), entry -> entry.of("cylinder"))
-        .or(Notation.WALL, wall(), entry -> entry.of(Notation.WALL))
-        .or("gate", gate(), entry -> entry.of("gate"));
+  /** Returns the codec of an obstacle of any kind. */
+  static Codec<ParsedObstacle> obstacle() {
+    ChoiceCodec<ParsedObstacle> codec =
+        new ChoiceCodec<>("obstacle", Phrase.of("an obstacle"), "One obstacle.");
+    Field<ParsedObstacle, ?> box = codec.or("box", box());
+    Field<ParsedObstacle, ?> cylinder = codec.or("cylinder", cylinder());
+    Field<ParsedObstacle, ?> wall = codec.or("wall", wall());
+    Field<ParsedObstacle, ?> gate = codec.or("gate", gate());
+    return codec.choosing(
+        entry ->
+            switch (entry.notation().kind()) {
+              case BOX -> box;
+              case CYLINDER -> cylinder;
+              case WALL -> wall;
+              case GATE -> gate;
+            });
   }
 
-  /** Usual thickness of a wall, and of a ring or beams [m]. Decided: wood that one can saw. */
+  /** Default thickness of walls [m]. Decided: that of a sawn wooden beam. */
   private static final double WALL_THICKNESS = 0.1;
 
+  /** Default thickness of the rings and beams of gates [m]. Decided: that of a thin wooden beam. */
   private static final double GATE_THICKNESS = 0.05;
 
   private static final String RING = "ring";
   private static final String FRAME = "frame";
-  private static final double SHORTEST_CM = Shape.SHORTEST * 100;
-  private static final NumberCodec LENGTH = NumberCodec.length(SHORTEST_CM, Scalars.LONGEST_CM);
+  private static final NumberCodec LENGTH = NumberCodec.length(Quantity.SIZE);
 
-  // --- keys that several kinds have ---
+  // --- keys shared by several kinds ---
 
-  private static final Field<NotedObstacle, String> NAME =
+  private static final Field<ParsedObstacle, String> NAME =
       shared("name", "For people and for goals; without it, one such as \"box 1\".")
           .optional(
               Scalars.LINE,
@@ -81,65 +83,61 @@ final class ObstacleCodecs {
                       ? Optional.of(entry.obstacle().name())
                       : Optional.empty());
 
-  private static final Field<NotedObstacle, Vec3> AT =
+  private static final Field<ParsedObstacle, Vec3> AT =
       shared(
               "at",
-              "Where the middle of its foot is: [x, y] in cm from the room's centre; x along the depth,"
-                  + " y to the left.")
+              "Position of the middle of its foot: [x, y] in cm from the room's centre; x along the"
+                  + " depth, y to the left.")
           .need(Scalars.FLOOR_POINT, entry -> entry.obstacle().foot());
 
-  private static final Field<NotedObstacle, Double> BASE =
-      shared("base", "How high it hangs above the floor in cm.")
-          .usual(
-              NumberCodec.length(0, Scalars.LONGEST_CM).or(0.0),
-              entry -> entry.obstacle().foot().z());
+  private static final Field<ParsedObstacle, Double> BASE =
+      shared("base", "Height of its lower end above the floor in cm.")
+          .usual(NumberCodec.length(Quantity.HEIGHT).or(0.0), entry -> entry.obstacle().foot().z());
 
-  private static final Field<NotedObstacle, Double> HEADING =
-      shared(
-              "heading",
-              "How it is turned, in degrees counter-clockwise seen from above; 0 looks along x.")
+  private static final Field<ParsedObstacle, Double> HEADING =
+      shared("heading", "Heading in degrees counter-clockwise, seen from above; 0 faces along x.")
           .usual(NumberCodec.ANGLE.or(0.0), entry -> entry.obstacle().heading());
 
-  private static final Field<NotedObstacle, Integer> COLOR =
+  private static final Field<ParsedObstacle, Integer> COLOR =
       shared("colour", "")
           .usual(
               Scalars.COLOR.or(ObstacleAppearance.DEFAULT.rgb()),
               entry -> entry.obstacle().appearance().rgb());
 
-  private static final Field<NotedObstacle, Pattern> PATTERN =
-      shared("pattern", "What is painted on it in two shades of its colour.")
+  private static final Field<ParsedObstacle, Pattern> PATTERN =
+      shared("pattern", "Pattern painted on it.")
           .usual(
               WordCodec.of(Pattern.values()).or(ObstacleAppearance.DEFAULT.pattern()),
               entry -> entry.obstacle().appearance().pattern());
 
-  private static final Field<NotedObstacle, Map<Side, String>> PICTURES =
+  private static final Field<ParsedObstacle, Map<Side, String>> PICTURES =
       shared("pictures", "")
           .usual(pictures().or(Map.of()), entry -> entry.obstacle().appearance().pictures());
 
   private ObstacleCodecs() {}
 
-  private static Field.Key<NotedObstacle> shared(String key, String description) {
+  private static Field.Key<ParsedObstacle> shared(String key, String description) {
     return new Field.Key<>(key, description, field -> {});
   }
 
-  private static NotedObstacle standing(Entries in, String kind, Shape shape) {
+  private static ParsedObstacle standing(Entries in, Kind kind, Shape shape) {
     return finished(in, kind, new Stand(in.get(AT), in.get(HEADING)), shape);
   }
 
-  /** Where something stands on the floor. */
+  /** The position [m] and heading [rad] of an obstacle, without its height above the floor. */
   private record Stand(Vec3 at, double heading) {}
 
-  private static NotedObstacle finished(Entries in, String kind, Stand stand, Shape shape) {
+  private static ParsedObstacle finished(Entries in, Kind kind, Stand stand, Shape shape) {
     Optional<String> name = in.find(NAME);
     ObstacleAppearance appearance =
         new ObstacleAppearance(in.get(COLOR), in.get(PATTERN), in.get(PICTURES));
     Vec3 foot = stand.at().withZ(in.get(BASE));
-    return new NotedObstacle(
-        new Notation(kind, name.isPresent(), Optional.empty()),
+    return new ParsedObstacle(
+        new SourceForm(kind, name.isPresent()),
         new Obstacle(name.orElse(""), shape, foot, stand.heading(), appearance));
   }
 
-  /** Image files on the sides of an obstacle. */
+  /** Returns the codec for image files on the sides of an obstacle. */
   private static Codec<Map<Side, String>> pictures() {
     RecordCodec<Map<Side, String>> codec =
         new RecordCodec<>(
@@ -165,69 +163,70 @@ final class ObstacleCodecs {
         });
   }
 
-  private static Codec<NotedObstacle> box() {
-    RecordCodec<NotedObstacle> codec = new RecordCodec<>("box", Phrase.of("a box"), "A box.");
+  private static Codec<ParsedObstacle> box() {
+    RecordCodec<ParsedObstacle> codec = new RecordCodec<>("box", Phrase.of("a box"), "A box.");
     codec.addAll(NAME, AT, BASE);
-    Field<NotedObstacle, Vec3> size =
+    Field<ParsedObstacle, Vec3> size =
         codec
             .key("size", "Depth (along its heading), width and height in cm.")
-            .need(
-                new NumberCodec.Vector(3, LENGTH),
-                entry -> Footprint.size(entry.obstacle().shape()));
+            .need(new NumberCodec.Vector(3, LENGTH), entry -> entry.obstacle().shape().size());
     codec.addAll(HEADING, COLOR, PATTERN, PICTURES);
     return codec.made(
         in -> {
           Vec3 edges = in.get(size);
-          return standing(in, "box", new Shape.Box(edges.x(), edges.y(), edges.z()));
+          return standing(in, Kind.BOX, new Shape.Box(edges.x(), edges.y(), edges.z()));
         });
   }
 
-  private static Codec<NotedObstacle> cylinder() {
-    RecordCodec<NotedObstacle> codec =
+  private static Codec<ParsedObstacle> cylinder() {
+    RecordCodec<ParsedObstacle> codec =
         new RecordCodec<>("cylinder", Phrase.of("a cylinder"), "An upright cylinder.");
     codec.addAll(NAME, AT, BASE);
-    Field<NotedObstacle, Double> radius =
+    Field<ParsedObstacle, Double> radius =
         codec.key("radius", "In cm.").need(LENGTH, entry -> entry.obstacle().shape().reach());
-    Field<NotedObstacle, Double> height =
+    Field<ParsedObstacle, Double> height =
         codec.key("height", "In cm.").need(LENGTH, entry -> entry.obstacle().shape().height());
     codec.addAll(HEADING, COLOR, PATTERN, PICTURES);
     return codec.made(
-        in -> standing(in, "cylinder", new Shape.Cylinder(in.get(radius), in.get(height))));
+        in -> standing(in, Kind.CYLINDER, new Shape.Cylinder(in.get(radius), in.get(height))));
   }
 
-  /** A box whose front is at the right of somebody who walks from one end to the other. */
-  private static Codec<NotedObstacle> wall() {
-    RecordCodec<NotedObstacle> codec =
+  /**
+   * Returns the codec of a wall. A wall is a box. Its front is on the right of a person who looks
+   * from the first end to the second.
+   */
+  private static Codec<ParsedObstacle> wall() {
+    RecordCodec<ParsedObstacle> codec =
         new RecordCodec<>(
-            Notation.WALL,
+            "wall",
             Phrase.of("a wall"),
-            "A straight wall. Its front is at the right hand of somebody who walks from one end to"
+            "A straight wall. Its front is to the right of a person who walks from one end to"
                 + " the other.");
     codec.add(NAME);
-    Field<NotedObstacle, Vec3> from =
+    Field<ParsedObstacle, Vec3> from =
         codec
             .key("from", "One end: [x, y] in cm.")
             .need(Scalars.FLOOR_POINT, wall -> ends(wall).from());
-    Field<NotedObstacle, Vec3> to =
+    Field<ParsedObstacle, Vec3> to =
         codec
             .key("to", "The other end: [x, y] in cm.")
             .need(Scalars.FLOOR_POINT, wall -> ends(wall).to());
     codec.add(BASE);
-    Field<NotedObstacle, Double> height =
+    Field<ParsedObstacle, Double> height =
         codec.key("height", "In cm.").need(LENGTH, wall -> wall.obstacle().shape().height());
-    Field<NotedObstacle, Double> thickness =
+    Field<ParsedObstacle, Double> thickness =
         codec
             .key("thickness", "In cm.")
-            .usual(LENGTH.or(WALL_THICKNESS), wall -> Footprint.size(wall.obstacle().shape()).x());
+            .usual(LENGTH.or(WALL_THICKNESS), wall -> wall.obstacle().shape().size().x());
     codec.addAll(COLOR, PATTERN, PICTURES);
     codec.checked(
         in -> {
           double length = length(in.get(from), in.get(to));
           if (length < Shape.SHORTEST) {
-            in.diagnostic(to, Phrase.of("expected another place than that of from"));
+            in.misfit(to, Phrase.of("expected another place than that of from"));
           } else if (length > Shape.LONGEST) {
-            String most = NumberCodec.plain(Scalars.LONGEST_CM);
-            in.diagnostic(to, Phrase.of("expected a wall of at most %s cm", most));
+            String most = NumberCodec.plain(Quantity.SIZE.most());
+            in.misfit(to, Phrase.of("expected a wall of at most %s cm", most));
           }
         });
     return codec.made(
@@ -235,12 +234,27 @@ final class ObstacleCodecs {
           Ends ends = new Ends(in.get(from), in.get(to));
           Shape.Box box =
               new Shape.Box(in.get(thickness), length(ends.from(), ends.to()), in.get(height));
-          return finished(in, Notation.WALL, between(ends), box).withEnds(ends);
+          return finished(in, Kind.WALL, between(ends), box);
         });
   }
 
-  private static Ends ends(NotedObstacle wall) {
-    return wall.notation().ends(wall.obstacle());
+  /** The ends of a wall, on the floor [m]. */
+  private record Ends(Vec3 from, Vec3 to) {}
+
+  /**
+   * Returns the ends of a wall, rounded to 10 µm. This restores the ends from which the wall was
+   * created, despite the rounding of its heading, length and position.
+   */
+  private static Ends ends(ParsedObstacle wall) {
+    Obstacle obstacle = wall.obstacle();
+    double half = ((Shape.Box) obstacle.shape()).width() / 2;
+    double heading = obstacle.heading();
+    Vec3 along = new Vec3(-StrictMath.sin(heading) * half, StrictMath.cos(heading) * half, 0);
+    return new Ends(stepped(obstacle.foot().minus(along)), stepped(obstacle.foot().plus(along)));
+  }
+
+  private static Vec3 stepped(Vec3 end) {
+    return new Vec3(Math.rint(end.x() * 1e5) / 1e5, Math.rint(end.y() * 1e5) / 1e5, 0);
   }
 
   private static double length(Vec3 from, Vec3 to) {
@@ -251,7 +265,7 @@ final class ObstacleCodecs {
     return Frames.meters(NumberCodec.rounded(meters * 100));
   }
 
-  /** Where a wall stands, from its ends. */
+  /** Returns the position and heading of a wall between two ends. */
   private static Stand between(Ends ends) {
     Vec3 way = ends.to().minus(ends.from());
     double headingDeg =
@@ -261,35 +275,35 @@ final class ObstacleCodecs {
     return new Stand(at, StrictMath.toRadians(headingDeg));
   }
 
-  private static Codec<NotedObstacle> gate() {
-    RecordCodec<NotedObstacle> codec =
+  private static Codec<ParsedObstacle> gate() {
+    RecordCodec<ParsedObstacle> codec =
         new RecordCodec<>(
             "gate", Phrase.of("a gate"), "A gate to fly through, along its heading or against it.");
     codec.addAll(NAME, AT, BASE);
-    Field<NotedObstacle, Boolean> isRing =
+    Field<ParsedObstacle, Boolean> isRing =
         codec
             .key("shape", "A ring on a post, or a frame.")
             .need(
                 new WordCodec<>(Map.of(RING, true, FRAME, false)), gate -> ring(gate).isPresent());
-    Field<NotedObstacle, Double> diameter =
+    Field<ParsedObstacle, Double> diameter =
         codec
             .key("diameter", "Of a ring's opening in cm.")
             .optional(
-                NumberCodec.length(2 * SHORTEST_CM, Scalars.LONGEST_CM),
+                NumberCodec.length(Quantity.DIAMETER),
                 gate -> ring(gate).map(ring -> 2 * ring.radius()));
-    Field<NotedObstacle, Double> width =
+    Field<ParsedObstacle, Double> width =
         codec
             .key("width", "Of a frame's opening in cm.")
             .optional(LENGTH, gate -> frame(gate).map(Shape.Frame::width));
-    Field<NotedObstacle, Double> height =
+    Field<ParsedObstacle, Double> height =
         codec
             .key("height", "Of a frame's opening in cm.")
             .optional(LENGTH, gate -> frame(gate).map(Shape.Frame::opening));
-    Field<NotedObstacle, Double> center =
+    Field<ParsedObstacle, Double> center =
         codec
             .key("centre", "Height of the opening's middle above the foot in cm.")
             .need(LENGTH, gate -> ((Shape.Gate) gate.obstacle().shape()).middle());
-    Field<NotedObstacle, Double> thickness =
+    Field<ParsedObstacle, Double> thickness =
         codec
             .key("thickness", "Of the ring or the beams in cm.")
             .usual(
@@ -302,14 +316,14 @@ final class ObstacleCodecs {
     codec.addAll(HEADING, COLOR, PATTERN, PICTURES);
     codec.add(Case.of("shape", RING).needs("diameter").excludes("width", "height"));
     codec.add(Case.of("shape", FRAME).needs("width", "height").excludes("diameter"));
-    // height of the middle of an opening whose gate stands on the floor [m]
+    // minimum height of the centre of the opening above the foot of the gate [m]
     ToDoubleFunction<Entries> lowest =
         in -> in.get(isRing) ? in.get(diameter) / 2 + in.get(thickness) : in.get(height) / 2;
     codec.checked(
         in -> {
           double leastCm = lowest.applyAsDouble(in) * 100;
           if (NumberCodec.rounded(in.get(center) * 100) < NumberCodec.rounded(leastCm)) {
-            in.diagnostic(
+            in.misfit(
                 center,
                 Phrase.of(
                     "the centre of this opening must be at least %s cm high",
@@ -323,17 +337,17 @@ final class ObstacleCodecs {
               in.get(isRing)
                   ? new Shape.Ring(in.get(diameter) / 2, in.get(thickness), middle)
                   : new Shape.Frame(in.get(width), in.get(height), in.get(thickness), middle);
-          return standing(in, "gate", gate);
+          return standing(in, Kind.GATE, gate);
         });
   }
 
-  private static Optional<Shape.Ring> ring(NotedObstacle gate) {
+  private static Optional<Shape.Ring> ring(ParsedObstacle gate) {
     return gate.obstacle().shape() instanceof Shape.Ring ring
         ? Optional.of(ring)
         : Optional.empty();
   }
 
-  private static Optional<Shape.Frame> frame(NotedObstacle gate) {
+  private static Optional<Shape.Frame> frame(ParsedObstacle gate) {
     return gate.obstacle().shape() instanceof Shape.Frame frame
         ? Optional.of(frame)
         : Optional.empty();

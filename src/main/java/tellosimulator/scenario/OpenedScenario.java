@@ -4,35 +4,37 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
+import tellosimulator.sim.SimConfig;
 
 /**
- * A scenario, and how to open it again. Immutable.
+ * A scenario together with its source, from which it can be opened again. Immutable.
  *
- * @param document as it was read or last saved
- * @param scenario the same with what options say about all scenarios
- * @param file from which it came
- * @param known its short name among those that come with the program
+ * @param document the document as it was read or last saved
+ * @param scenario the document's scenario, changed by the options that apply to all scenarios
+ * @param file the file from which the document was read; empty if it was not read from a file
+ * @param known the scenario's short name in the gallery; empty if it is not in the gallery
  */
 public record OpenedScenario(
     ScenarioDocument document, Scenario scenario, Optional<Path> file, Optional<String> known) {
 
-  /** The same with another scenario made of it. */
+  /** Returns a copy that has another scenario and the same source. */
   public OpenedScenario with(Scenario changed) {
     return new OpenedScenario(document, changed, file, known);
   }
 
-  /** One that cannot be opened again. */
+  /** Creates an opened scenario that has no source, and thus cannot be opened again. */
   public static OpenedScenario once(Scenario scenario) {
     return new OpenedScenario(
         ScenarioDocument.of(scenario), scenario, Optional.empty(), Optional.empty());
   }
 
   /**
-   * One that somebody names: a file, or one of those that come with the program. A file counts more
-   * than one of the program that has the same name.
+   * Opens a scenario, given the name of a file or of a scenario that comes with the program. A file
+   * takes precedence.
    *
-   * @throws ScenarioException if the file cannot be read, or has diagnostics
-   * @throws IllegalArgumentException with a sentence, if there is neither
+   * @throws ScenarioException if the file cannot be read or contains errors
+   * @throws IllegalArgumentException if there is neither such a file nor such a scenario; the
+   *     message is one sentence
    */
   public static OpenedScenario named(String fileOrName) throws ScenarioException {
     Optional<Path> file = path(fileOrName);
@@ -47,7 +49,31 @@ public record OpenedScenario(
         .orElseThrow(() -> new IllegalArgumentException(unknown(fileOrName)));
   }
 
-  /** Its name in English, or that of its file; may be empty. */
+  /** Returns whether the file contains ranges, so that each seed gives another course. */
+  public boolean varies() {
+    return document.varies();
+  }
+
+  /**
+   * Returns this scenario, without options, with another seed and the course drawn from it. A
+   * scenario without ranges is returned unchanged.
+   *
+   * @throws ScenarioException if no course of this seed fits
+   */
+  public OpenedScenario drawnFrom(long seed) throws ScenarioException {
+    if (!varies()) {
+      return this;
+    }
+    String name = file.map(Path::toString).or(() -> known).orElse("");
+    ScenarioDocument drawn = document.drawnFrom(seed, name);
+    SimConfig config = drawn.scenario().config().withSeed(seed);
+    return new OpenedScenario(drawn, drawn.scenario().withConfig(config), file, known);
+  }
+
+  /**
+   * Returns the English name of the scenario, or else the name of its file, or else its short name
+   * in the gallery; may be empty.
+   */
   public String title() {
     LocalizedText name = scenario.description().name();
     return name.isEmpty()
@@ -71,12 +97,12 @@ public record OpenedScenario(
     return "there is neither a file nor a scenario " + word + guess;
   }
 
-  /** One of a file. */
+  /** Creates an opened scenario that was read from a file. */
   public static OpenedScenario of(ScenarioDocument document, Path file) {
     return new OpenedScenario(document, document.scenario(), Optional.of(file), Optional.empty());
   }
 
-  /** One that comes with the program. */
+  /** Creates an opened scenario that comes with the program. */
   public static OpenedScenario known(ScenarioDocument document, String name) {
     return new OpenedScenario(document, document.scenario(), Optional.empty(), Optional.of(name));
   }

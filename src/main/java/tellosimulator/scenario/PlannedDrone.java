@@ -3,13 +3,13 @@ package tellosimulator.scenario;
 import tellosimulator.math.Pose;
 
 /**
- * A drone where somebody wants it to start. Immutable; for any thread.
+ * A drone with a planned start. Immutable.
  *
- * @param start on the floor, room frame
+ * @param start the planned pose on the floor, in the room frame
  */
 public record PlannedDrone(DroneOrigin origin, Pose start) {
 
-  /** The same elsewhere. */
+  /** Returns a copy of this drone with another start. */
   public PlannedDrone at(Pose newStart) {
     return new PlannedDrone(origin, newStart);
   }

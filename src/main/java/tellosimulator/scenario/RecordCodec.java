@@ -18,10 +18,11 @@ import tellosimulator.words.Phrase;
 import tellosimulator.words.Spelling;
 
 /**
- * A mapping with known keys. They are declared as {@link Field}s, in the order in which they are
- * written; then it is said what is {@link #made} of what was read.
+ * Codec of a mapping with known keys. The keys are declared as {@link Field}s in the order in which
+ * they are written. After the last one, {@link #made} declares how a value is created from the
+ * entries that were read.
  *
- * @param <T> what the mapping describes
+ * @param <T> the type that the mapping describes
  */
 class RecordCodec<T> implements Codec<T> {
 
@@ -34,11 +35,11 @@ class RecordCodec<T> implements Codec<T> {
   private Function<Entries, T> maker;
 
   /**
-   * A codec without fields yet.
+   * Creates a codec without fields.
    *
-   * @param name in the JSON schema
-   * @param phrase for people: {@code a room}
-   * @param description for editors
+   * @param name the name of the mapping in the JSON schema
+   * @param phrase a noun phrase for users, such as {@code a room}
+   * @param description the description for editors
    */
   RecordCodec(String name, Phrase phrase, String description) {
     this.name = name;
@@ -46,7 +47,7 @@ class RecordCodec<T> implements Codec<T> {
     this.description = description;
   }
 
-  /** Begins to declare the next key. */
+  /** Starts the declaration of the next key. */
   final Field.Key<T> key(String key, String keyDescription) {
     return new Field.Key<>(key, keyDescription, this::add);
   }
@@ -64,28 +65,30 @@ class RecordCodec<T> implements Codec<T> {
     }
   }
 
-  /** Declares which keys go with others. */
+  /** Declares a rule about keys that require or exclude other keys. */
   final void add(Case rule) {
     cases.add(rule);
   }
 
-  /** In the order in which they are written. */
+  /** The keys in the order in which they are written. */
   final List<String> keys() {
     return List.copyOf(fields.keySet());
   }
 
-  /** Declares what looks whether values go together that could all be read. */
+  /** Declares a consistency check, which runs only if all values could be read. */
   final void checked(Consumer<Entries> newCheck) {
     check = newCheck;
   }
 
-  /** Declares, as the last thing, how a value is made of entries without mistakes. */
+  /**
+   * Declares how a value is created from entries without errors. This must be the last declaration.
+   */
   final RecordCodec<T> made(Function<Entries, T> newMaker) {
     maker = newMaker;
     return this;
   }
 
-  /** How a mapping is written: in one line, unless said otherwise. */
+  /** Returns the style in which the mapping is written. By default, it is written on one line. */
   FlowStyle style() {
     return FlowStyle.FLOW;
   }
@@ -99,7 +102,7 @@ class RecordCodec<T> implements Codec<T> {
     return in.sound() ? Optional.of(maker.apply(in)) : Optional.empty();
   }
 
-  /** Reads the values of all keys. */
+  /** Reads the values of all keys, and reports any errors. */
   final Entries entries(Node node, Context context) {
     Entries in = new Entries(node, context);
     if (!(node instanceof MappingNode mapping)) {
@@ -120,7 +123,7 @@ class RecordCodec<T> implements Codec<T> {
     return in;
   }
 
-  /** Whether the keys as such allow to read their values. */
+  /** Checks the keys as a whole, and returns whether their values can be read. */
   boolean checkKeys(Entries in) {
     return true;
   }
@@ -166,13 +169,23 @@ class RecordCodec<T> implements Codec<T> {
   @Override
   public Map<String, Object> schema(Map<String, Object> definitions) {
     if (!definitions.containsKey(name)) {
-      definitions.put(name, Map.of()); // before those that it refers to
+      definitions.put(name, Map.of()); // registered before the definitions that it refers to
       definitions.put(name, definition(definitions));
     }
     return Codec.object("$ref", "#/$defs/" + name);
   }
 
-  /** The JSON schema of the mapping itself. */
+  /** Returns the JSON schema of a file that contains this mapping. */
+  Map<String, Object> document(String title) {
+    Map<String, Object> definitions = new LinkedHashMap<>();
+    Map<String, Object> schema =
+        Codec.object("$schema", "https://json-schema.org/draft/2020-12/schema", "title", title);
+    schema.putAll(definition(definitions));
+    schema.put("$defs", definitions);
+    return schema;
+  }
+
+  /** Returns the JSON schema of the mapping itself, rather than a reference to it. */
   Map<String, Object> definition(Map<String, Object> definitions) {
     Map<String, Object> properties = new LinkedHashMap<>();
     fields.forEach((key, field) -> properties.put(key, field.schema(definitions)));

@@ -12,10 +12,10 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Wind;
 
-/** Codecs of the room, its posters, its mission pads and its wind. */
+/** Codecs of the room, posters, mission pads and wind. */
 final class RoomCodecs {
 
-  /** The number of a mission pad. */
+  /** Codec of the number of a mission pad. */
   static final Codec<Integer> PAD_ID =
       Scalars.count(Phrase.of("a pad from 1 to %d", MissionPad.LAST_ID), 1, MissionPad.LAST_ID);
 
@@ -25,7 +25,7 @@ final class RoomCodecs {
     RecordCodec<Room> codec =
         new RecordCodec<>(
             "room", Phrase.of("a room"), "Size of the room in cm. Its floor's centre is [0, 0].");
-    NumberCodec edge = NumberCodec.length(Room.SHORTEST * 100, Scalars.LONGEST_CM);
+    NumberCodec edge = NumberCodec.length(Quantity.ROOM_EDGE);
     Field<Room, Double> width =
         codec.key("width", "Along y.").usual(edge.orWritten(Room.DEFAULT.width()), Room::width);
     Field<Room, Double> depth =
@@ -41,7 +41,7 @@ final class RoomCodecs {
             "poster", Phrase.of("a poster"), "An image on a wall, the floor or the ceiling.");
     Field<Poster, Surface> wall =
         codec
-            .key("wall", "Where it hangs.")
+            .key("wall", "Surface on which it hangs.")
             .need(new WordCodec<>(Surface.byWord()), Poster::surface);
     Field<Poster, Double> along =
         codec
@@ -60,19 +60,28 @@ final class RoomCodecs {
     Field<Poster, Double> width =
         codec
             .key("width", "Width of the image in cm; its height follows.")
-            .need(NumberCodec.length(Poster.NARROWEST * 100, Scalars.LONGEST_CM), Poster::width);
+            .need(NumberCodec.length(Quantity.POSTER_WIDTH), Poster::width);
     Field<Poster, String> picture =
         codec
             .key(
                 "picture", "Image file (PNG, JPEG, GIF or BMP), seen from the folder of this file.")
             .need(Scalars.PICTURE, Poster::picture);
+    Field<Poster, String> name =
+        codec
+            .key("name", "Its name for goals; without it, that of the file without its ending.")
+            .optional(Scalars.LINE, Poster::givenName);
     return codec.made(
         in ->
             new Poster(
-                in.get(wall), in.get(along), in.get(height), in.get(width), in.get(picture)));
+                in.get(wall),
+                in.get(along),
+                in.get(height),
+                in.get(width),
+                in.get(picture),
+                in.find(name)));
   }
 
-  /** A mission pad, which lies on the floor or hangs on a wall. */
+  /** Returns the codec of a mission pad on the floor or on a wall. */
   static Codec<MissionPad> pad() {
     RecordCodec<MissionPad> codec =
         new RecordCodec<>(
@@ -106,7 +115,7 @@ final class RoomCodecs {
     Field<MissionPad, Double> height =
         codec
             .key("height", "On a wall: of the pad's middle above the floor in cm.")
-            .optional(NumberCodec.length(0, Scalars.LONGEST_CM), hanging(MissionPad::height));
+            .optional(NumberCodec.length(Quantity.HEIGHT), hanging(MissionPad::height));
     Field<MissionPad, Double> rotation =
         codec
             .key(
@@ -135,16 +144,18 @@ final class RoomCodecs {
 
   static Codec<Wind> wind() {
     RecordCodec<Wind> codec = new RecordCodec<>("wind", Phrase.of("wind"), "Moving air.");
-    NumberCodec range = NumberCodec.speed(Wind.FASTEST * 100);
+    NumberCodec range = NumberCodec.speed(Quantity.WIND_SPEED);
     Field<Wind, Double> towards =
         codec
-            .key("towards", "Where it blows to, in degrees counter-clockwise; 0 is along x.")
+            .key(
+                "towards",
+                "Direction towards which it blows, in degrees counter-clockwise; 0 is along x.")
             .usual(NumberCodec.ANGLE.or(0.0), RoomCodecs::heading);
     Field<Wind, Double> speed =
         codec.key("speed", "In cm/s.").usual(range.or(0.0), wind -> wind.mean().norm());
     Field<Wind, Double> gusts =
         codec
-            .key("gusts", "How much it varies (standard deviation) in cm/s.")
+            .key("gusts", "Standard deviation of its speed in cm/s.")
             .usual(range.or(0.0), Wind::gusts);
     return codec.made(in -> new Wind(velocity(in.get(speed), in.get(towards)), in.get(gusts)));
   }

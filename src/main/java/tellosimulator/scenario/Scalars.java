@@ -1,7 +1,6 @@
 package tellosimulator.scenario;
 
 import java.net.InetAddress;
-import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -20,23 +19,20 @@ import org.snakeyaml.engine.v2.resolver.ScalarResolver;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.words.Phrase;
-import tellosimulator.world.Room;
 
-/** Codecs of single values: texts, whole numbers, colours, addresses, places. */
+/** Codecs of single values, such as texts, whole numbers, colours, addresses and positions. */
 final class Scalars {
 
-  /** Longest text [characters]. Decided: a line or two. */
+  /** Maximum length of a text [characters]. Decided: one or two lines on a screen. */
   private static final int LONGEST_LINE = 200;
 
-  /** What YAML's usual schema takes a text for. */
+  /** Determines the type of a plain scalar according to the JSON schema of YAML 1.2. */
   private static final ScalarResolver MEANING = new JsonScalarResolver();
 
-  private static final Pattern DIGITS = Pattern.compile("-?[0-9]{1,18}");
+  static final Pattern DIGITS = Pattern.compile("-?[0-9]{1,18}");
   private static final Pattern HEX = Pattern.compile("#[0-9a-fA-F]{6}");
-  private static final Pattern DOTTED =
-      Pattern.compile("((25[0-5]|2[0-4][0-9]|1?[0-9]?[0-9])(\\.(?!$)|$)){4}");
 
-  /** Colours that have names. Decided: as loud as painted wood. */
+  /** Named colours, as {@code 0xrrggbb}. Decided: muted, like painted wood. */
   private static final WordCodec<Integer> COLOR_NAMES =
       new WordCodec<>(
           Map.of(
@@ -54,7 +50,7 @@ final class Scalars {
   private static final WordCodec<Boolean> TRUTH =
       new WordCodec<>(Map.of("true", true, "false", false));
 
-  /** A line of text that is not empty. */
+  /** Codec of a non-empty line of text. */
   static final Codec<String> LINE =
       new Scalar<>(
           Phrase.of("a line of text of at most %d letters", LONGEST_LINE),
@@ -64,7 +60,7 @@ final class Scalars {
 
   static final Codec<Boolean> YES_OR_NO = new YesOrNo();
 
-  /** A colour as #rrggbb, or by its name. */
+  /** Codec of a colour, written as #rrggbb or by its name. */
   static final Codec<Integer> COLOR =
       new Scalar<>(
           Phrase.of(
@@ -77,33 +73,26 @@ final class Scalars {
                   : Yaml.text(String.format(Locale.ROOT, "#%06x", rgb)),
           Scalars::colorSchema);
 
-  /** An IPv4 address of this machine. */
+  /** Codec of an IPv4 address of this machine. */
   static final Codec<InetAddress> ADDRESS =
       new Scalar<>(
           Phrase.of("an address of this machine such as 127.0.0.2"),
-          scalar ->
-              Optional.of(scalar.getValue())
-                  .filter(word -> DOTTED.matcher(word).matches())
-                  .map(Scalars::address)
-                  .filter(AddressPlan::isOfOneHost),
+          scalar -> AddressPlan.parse(scalar.getValue()),
           address -> Yaml.text(address.getHostAddress()),
           definitions ->
               Codec.object(
                   "type", "string", "format", "ipv4", "pattern", "^[0-9]{1,3}(\\.[0-9]{1,3}){3}$"));
 
-  /** An image file, seen from the folder of the scenario. */
+  /** Codec of an image file whose name is relative to the folder of the scenario file. */
   static final Codec<String> PICTURE = new PictureName();
 
-  /** Longest length of anything [cm]. */
-  static final double LONGEST_CM = Room.LONGEST * 100;
+  /** Codec of a coordinate in the room or on one of its surfaces, positive or negative. */
+  static final NumberCodec OFFSET = NumberCodec.length(Quantity.OFFSET);
 
-  /** From the middle of something, in one direction or the other. */
-  static final NumberCodec OFFSET = NumberCodec.length(-LONGEST_CM, LONGEST_CM);
-
-  /** A place on the floor. */
+  /** Codec of a position on the floor. */
   static final Codec<Vec3> FLOOR_POINT = new NumberCodec.Vector(2, OFFSET);
 
-  /** A place in the room. */
+  /** Codec of a position in the room. */
   static final Codec<Vec3> POINT = new NumberCodec.Vector(3, OFFSET);
 
   static final Codec<Integer> PORT =
@@ -111,12 +100,12 @@ final class Scalars {
 
   private Scalars() {}
 
-  /** A small whole number. */
+  /** Returns a codec for a small whole number. */
   static Codec<Integer> count(Phrase expected, int least, int most) {
     return whole(expected, least, most).map(Math::toIntExact, Integer::longValue);
   }
 
-  /** A whole number. */
+  /** Returns a codec for a whole number. */
   static Codec<Long> whole(Phrase expected, long least, long most) {
     return new Scalar<>(
         expected,
@@ -136,10 +125,10 @@ final class Scalars {
   }
 
   /**
-   * A value that one scalar means.
+   * Codec of a value that is written as one scalar.
    *
-   * @param expected what is told of a node that has no meaning
-   * @param schema its JSON schema, for the definitions so far
+   * @param expected a noun phrase for a valid node, for error messages
+   * @param schema the JSON schema of the value, given the definitions so far
    */
   private record Scalar<T>(
       Phrase expected,
@@ -166,7 +155,11 @@ final class Scalars {
     }
   }
 
-  /** In quotation marks, or what would not be a number or the like to other programs. */
+  /**
+   * Returns the text of a scalar without spaces at its ends. Returns empty if the text is not a
+   * valid line, or if it is not quoted and other programs would parse it as a number or another
+   * type.
+   */
   private static Optional<String> line(ScalarNode scalar) {
     boolean text = !scalar.isPlain() || MEANING.resolve(scalar.getValue(), true).equals(Tag.STR);
     return Optional.of(scalar.getValue().strip())
@@ -188,14 +181,6 @@ final class Scalars {
     String description = "A colour: \"#rrggbb\" in quotation marks, or a name.";
     definitions.put("colour", Codec.object("description", description, "anyOf", forms));
     return Codec.object("$ref", "#/$defs/colour");
-  }
-
-  private static InetAddress address(String word) {
-    try {
-      return InetAddress.getByName(word);
-    } catch (UnknownHostException e) {
-      throw new IllegalArgumentException(word + " is no address", e);
-    }
   }
 
   private record YesOrNo() implements Codec<Boolean> {
@@ -226,7 +211,7 @@ final class Scalars {
         try {
           file = Optional.of(context.folder().resolve(written.get()).normalize());
         } catch (InvalidPathException e) {
-          file = Optional.empty(); // it names no file
+          file = Optional.empty(); // not a valid file name
         }
         if (file.isEmpty() || (context.looked() && !Files.isRegularFile(file.get()))) {
           Object found = Diagnostics.found(node);

@@ -15,27 +15,27 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * A room that can be handed out: what is in it, which drones fly there, and what they shall do.
- * Immutable; for any thread.
+ * A scenario that can be shared: a room with its contents, the drones and their goals. Immutable.
  *
- * @param description for people
- * @param config what to simulate
- * @param stations where each drone takes commands, in the order of their numbers
- * @param challenge what the drones shall do
+ * @param description the description for users
+ * @param config the configuration of the simulation
+ * @param stations the command address of each drone, in the order of drone numbers
+ * @param challenge the goals of the drones
  */
 public record Scenario(
-    Description description, SimConfig config, List<Station> stations, Challenge challenge) {
+    Description description, SimConfig config, List<CommandAddress> stations, Challenge challenge) {
 
   /**
-   * Where a drone takes commands, as far as a scenario says so.
+   * The command address of a drone, as far as a scenario sets it.
    *
-   * @param address of this machine; empty for the usual one of the drone's number
-   * @param port empty for the usual one
+   * @param address an address of this machine; empty for the default address for the drone's number
+   * @param port the port; empty for the default port
    */
-  public record Station(Optional<InetAddress> address, OptionalInt port) {
+  public record CommandAddress(Optional<InetAddress> address, OptionalInt port) {
 
-    /** At the usual place. */
-    public static final Station USUAL = new Station(Optional.empty(), OptionalInt.empty());
+    /** The default address and port. */
+    public static final CommandAddress USUAL =
+        new CommandAddress(Optional.empty(), OptionalInt.empty());
   }
 
   public Scenario {
@@ -50,26 +50,32 @@ public record Scenario(
     }
   }
 
-  /** Without a name and without goals, drones at the usual places. */
+  /**
+   * Returns a scenario without a name or goals, in which all drones have their default addresses.
+   */
   public static Scenario of(SimConfig config) {
-    List<Station> usual = Collections.nCopies(config.drones().size(), Station.USUAL);
+    List<CommandAddress> usual = Collections.nCopies(config.drones().size(), CommandAddress.USUAL);
     return new Scenario(Description.NONE, config, usual, Challenge.NONE);
   }
 
-  /** The same with as many drones, but something else to simulate. */
+  /**
+   * Returns a copy of this scenario with another configuration, which must have the same number of
+   * drones.
+   */
   public Scenario withConfig(SimConfig newConfig) {
     return new Scenario(description, newConfig, stations, challenge);
   }
 
-  /** The same with something else to do. */
+  /** Returns a copy of this scenario with another challenge. */
   public Scenario withChallenge(Challenge newChallenge) {
     return new Scenario(description, config, stations, newChallenge);
   }
 
   /**
-   * The same with room, starts, products and ports as they are in a simulation of it now.
+   * Returns a copy of this scenario with the room, starts, products and ports that its simulation
+   * has now.
    *
-   * @param snapshot with as many drones
+   * @param snapshot a snapshot with the same number of drones
    */
   public Scenario asIn(SimSnapshot snapshot) {
     List<DroneSetup> setups = new ArrayList<>();
@@ -82,23 +88,23 @@ public record Scenario(
     return withConfig(config.withArena(snapshot.arena()).withDrones(setups));
   }
 
-  /** The same with all drones at one port. */
+  /** Returns a copy of this scenario with the same command port for all drones. */
   public Scenario withCommandPort(int port) {
-    List<Station> others =
+    List<CommandAddress> others =
         stations.stream()
-            .map(station -> new Station(station.address(), OptionalInt.of(port)))
+            .map(station -> new CommandAddress(station.address(), OptionalInt.of(port)))
             .toList();
     return new Scenario(description, config, others, challenge);
   }
 
   /**
-   * Which drone listens where.
+   * Returns the listen addresses of all drones.
    *
-   * @param usualPort for drones whose port is not said
+   * @param usualPort the port of drones for which the scenario sets none
    */
   public AddressPlan addressPlan(int usualPort) {
     return AddressPlan.ofMachine(
-        stations.stream().map(Station::address).toList(),
+        stations.stream().map(CommandAddress::address).toList(),
         stations.stream().map(station -> station.port().orElse(usualPort)).toList());
   }
 }

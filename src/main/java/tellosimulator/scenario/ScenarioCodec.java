@@ -18,10 +18,11 @@ import tellosimulator.fault.FaultPlan;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
+import tellosimulator.goal.Scoring;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.scenario.ListCodec.Item;
-import tellosimulator.scenario.Scenario.Station;
+import tellosimulator.scenario.Scenario.CommandAddress;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Rules;
 import tellosimulator.time.TimeFactor;
@@ -35,30 +36,23 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Walls;
 import tellosimulator.world.Wind;
 
-/** A whole scenario. */
-final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
+/** Codec of a whole scenario. */
+final class ScenarioCodec extends RecordCodec<ScenarioCodec.ParsedScenario> {
 
   /**
-   * A scenario and how a file writes it.
+   * A scenario together with its form in a file.
    *
-   * @param notations of its obstacles, in their order
+   * @param notations the forms of the obstacles, in their order
    */
-  record Noted(Scenario scenario, List<Notation> notations) {
+  record ParsedScenario(Scenario scenario, List<SourceForm> notations) {
 
-    /** One that no file has yet. */
-    static Noted usual(Scenario scenario) {
+    /**
+     * Returns the parsed form of a scenario that is not in a file yet. All obstacles have their
+     * default forms.
+     */
+    static ParsedScenario usual(Scenario scenario) {
       List<Obstacle> obstacles = scenario.config().arena().obstacles();
-      return new Noted(scenario, obstacles.stream().map(Notation::usual).toList());
-    }
-
-    /** The same for a scenario that is written in the same way. */
-    Noted of(Scenario other) {
-      List<Obstacle> obstacles = other.config().arena().obstacles();
-      List<Notation> theirs = new ArrayList<>();
-      for (Notation notation : notations) {
-        theirs.add(notation.of(obstacles.get(theirs.size())));
-      }
-      return new Noted(other, theirs);
+      return new ParsedScenario(scenario, obstacles.stream().map(SourceForm::usual).toList());
     }
 
     private Description description() {
@@ -73,113 +67,118 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
       return config().arena();
     }
 
-    private List<ObstacleCodecs.NotedObstacle> obstacles() {
-      List<ObstacleCodecs.NotedObstacle> entries = new ArrayList<>();
+    private List<ObstacleCodecs.ParsedObstacle> obstacles() {
+      List<ObstacleCodecs.ParsedObstacle> entries = new ArrayList<>();
       for (Obstacle obstacle : arena().obstacles()) {
-        entries.add(new ObstacleCodecs.NotedObstacle(notations.get(entries.size()), obstacle));
+        entries.add(new ObstacleCodecs.ParsedObstacle(notations.get(entries.size()), obstacle));
       }
       return entries;
     }
 
-    private List<DroneCodec.StationedDrone> drones() {
-      List<DroneCodec.StationedDrone> entries = new ArrayList<>();
-      for (Station station : scenario.stations()) {
-        entries.add(new DroneCodec.StationedDrone(config().drones().get(entries.size()), station));
+    private List<DroneCodec.DronePlacement> drones() {
+      List<DroneCodec.DronePlacement> entries = new ArrayList<>();
+      for (CommandAddress station : scenario.stations()) {
+        entries.add(new DroneCodec.DronePlacement(config().drones().get(entries.size()), station));
       }
       return entries;
     }
   }
 
-  /** How many there may be. Decided: more than can be seen, or flown. */
+  /** Maximum number of obstacles. Decided: far more than a useful room contains. */
   private static final int MOST_OBSTACLES = 10_000;
 
+  /**
+   * Maximum number of posters, mission pads, faults or goals. Decided: more than any scenario
+   * needs.
+   */
   private static final int MOST_OTHERS = 1000;
 
-  /** What stands for a room until the mistake is told; everything is in it. */
+  /**
+   * Placeholder for a room that could not be read. It has the maximum size, so that no object is
+   * reported as being outside.
+   */
   private static final Room UNKNOWN = new Room(Room.LONGEST, Room.LONGEST, Room.LONGEST);
 
-  private static final DroneCodec.StationedDrone USUAL_DRONE =
-      new DroneCodec.StationedDrone(SimConfig.DEFAULT.drones().get(0), Station.USUAL);
+  private static final DroneCodec.DronePlacement USUAL_DRONE =
+      new DroneCodec.DronePlacement(SimConfig.DEFAULT.drones().get(0), CommandAddress.USUAL);
 
-  /** Reads, writes and describes all scenario files. */
+  /** The codec for all scenario files. */
   static final ScenarioCodec CODEC = new ScenarioCodec();
 
-  private final Field<Noted, LocalizedText> name =
-      key("name", "What the scenario is called.")
+  private final Field<ParsedScenario, LocalizedText> name =
+      key("name", "Name of the scenario.")
           .optional(new LocalizedTextCodec(), noted -> written(noted.description().name()));
-  private final Field<Noted, LocalizedText> teaches =
-      key("teaches", "What one learns by it, in a line.")
+  private final Field<ParsedScenario, LocalizedText> teaches =
+      key("teaches", "What users learn from it, in one line.")
           .optional(new LocalizedTextCodec(), noted -> written(noted.description().teaches()));
-  private final Field<Noted, Difficulty> difficulty =
-      key("difficulty", "How much it asks of who programs for it.")
+  private final Field<ParsedScenario, Difficulty> difficulty =
+      key("difficulty", "Difficulty of writing a program for it.")
           .optional(WordCodec.of(Difficulty.values()), noted -> noted.description().difficulty());
-  private final Field<Noted, Room> room =
+  private final Field<ParsedScenario, Room> room =
       key("room", "")
           .usual(RoomCodecs.room().orWritten(Room.DEFAULT), noted -> noted.arena().room());
-  private final Field<Noted, Double> grid =
+  private final Field<ParsedScenario, Double> grid =
       key("grid", "Distance between the lines on the floor in cm.")
           .usual(
-              NumberCodec.length(Decor.SMALLEST_GRID * 100, Decor.LARGEST_GRID * 100)
-                  .or(Decor.DEFAULT.grid()),
+              NumberCodec.length(Quantity.GRID).or(Decor.DEFAULT.grid()),
               noted -> noted.arena().decor().grid());
-  private final Field<Noted, Walls> walls =
+  private final Field<ParsedScenario, Walls> walls =
       key(
               "walls",
-              "What floor, walls and ceiling are covered with; auto is textured in the drones' film"
-                  + " and calm in the window.")
+              "Covering of floor, walls and ceiling; auto is parquet and plaster,"
+                  + " with windows and a door.")
           .usual(
               WordCodec.of(Walls.values()).or(Decor.DEFAULT.walls()),
               noted -> noted.arena().decor().walls());
-  private final Field<Noted, Integer> accent =
-      key(
-              "accent",
-              "The colour of the front wall in the window's calm room, and of its bricks in the"
-                  + " drones' film.")
+  private final Field<ParsedScenario, Integer> accent =
+      key("accent", "Colour of the front wall.")
           .optionalInt(Scalars.COLOR, noted -> noted.arena().decor().accent());
-  private final Field<Noted, List<Item<Poster>>> posters =
+  private final Field<ParsedScenario, List<Item<Poster>>> posters =
       key("posters", "Images on the walls.")
           .usual(
               new ListCodec<>(RoomCodecs.poster(), MOST_OTHERS).or(List.of()),
               noted -> Item.of(noted.arena().decor().posters()));
-  private final Field<Noted, List<Item<ObstacleCodecs.NotedObstacle>>> obstacles =
-      key("obstacles", "What stands and hangs in the room.")
+  private final Field<ParsedScenario, List<Item<ObstacleCodecs.ParsedObstacle>>> obstacles =
+      key("obstacles", "Obstacles that stand and hang in the room.")
           .usual(
               new ListCodec<>(ObstacleCodecs.obstacle(), MOST_OBSTACLES).or(List.of()),
               noted -> Item.of(noted.obstacles()));
-  private final Field<Noted, List<Item<MissionPad>>> pads =
+  private final Field<ParsedScenario, List<Item<MissionPad>>> pads =
       key("pads", "Mission pads, each number once.")
           .usual(
               new ListCodec<>(RoomCodecs.pad(), MOST_OTHERS).or(List.of()),
               noted -> Item.of(noted.arena().pads()));
-  private final Field<Noted, List<Item<DroneCodec.StationedDrone>>> drones =
+  private final Field<ParsedScenario, List<Item<DroneCodec.DronePlacement>>> drones =
       key("drones", "The drones; without them, one in the room's centre.")
           .usual(
               new ListCodec<>(new DroneCodec(), AddressPlan.MOST_DRONES).or(List.of()),
               noted -> Item.of(noted.drones()));
-  private final Field<Noted, Wind> wind =
+  private final Field<ParsedScenario, Wind> wind =
       key("wind", "").usual(RoomCodecs.wind().or(Wind.CALM), noted -> noted.arena().wind());
-  private final Field<Noted, LinkPreset> link =
-      key("link", "How good the link is; without it, as the behaviour of each drone has it.")
+  private final Field<ParsedScenario, LinkPreset> link =
+      key("link", "Quality of the radio link. Default: that of each drone's behaviour.")
           .optional(
               WordCodec.of(LinkPreset.values()), noted -> noted.config().rules().faults().link());
-  private final Field<Noted, List<Item<Fault>>> faults =
-      key("faults", "What goes wrong.")
+  private final Field<ParsedScenario, List<Item<Fault>>> faults =
+      key("faults", "Faults.")
           .usual(
               new ListCodec<>(new FaultCodec(), MOST_OTHERS).or(List.of()),
               noted -> Item.of(noted.config().rules().faults().faults()));
-  private final Field<Noted, Double> crashSpeed =
-      key("crash-speed", "How fast [cm/s] a drone may touch something before it is a crash.")
+  private final Field<ParsedScenario, Double> crashSpeed =
+      key(
+              "crash-speed",
+              "Maximum speed in cm/s at which a drone may touch something without a crash.")
           .usual(
-              NumberCodec.speed(Rules.FASTEST_TOUCH * 100).or(DroneSpec.CRASH_SPEED),
+              NumberCodec.speed(Quantity.CRASH_SPEED).or(DroneSpec.CRASH_SPEED),
               noted -> noted.config().rules().crashSpeed());
-  private final Field<Noted, TimeFactor> timeFactor =
+  private final Field<ParsedScenario, TimeFactor> timeFactor =
       key(
               "time-factor",
-              "How fast time passes: 5 is five times as fast; max is as fast as the machine can"
+              "Speed of simulated time: 5 is five times as fast; max is as fast as the machine can"
                   + " while a drone moves.")
           .usual(
               new TimeFactorCodec().or(TimeFactor.REAL_TIME), noted -> noted.config().timeFactor());
-  private final Field<Noted, Long> seed =
+  private final Field<ParsedScenario, Long> seed =
       key("seed", "The same seed and the same commands give the same flight.")
           .usual(
               Scalars.whole(
@@ -188,34 +187,38 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
                       999_999_999_999_999_999L)
                   .or(SimConfig.DEFAULT.seed()),
               noted -> noted.config().seed());
-  private final Field<Noted, List<Item<Goal>>> goals =
-      key("goals", "What the drones shall do.")
+  private final Field<ParsedScenario, List<Item<Goal>>> goals =
+      key("goals", "Goals of the drones.")
           .usual(
               new ListCodec<>(GoalCodecs.goal(), MOST_OTHERS).or(List.of()),
               noted -> Item.of(noted.scenario().challenge().goals()));
-  private final Field<Noted, Boolean> inOrder =
-      key("in-order", "Whether a goal counts only after those before it.")
+  private final Field<ParsedScenario, Boolean> inOrder =
+      key("in-order", "Whether goals must be reached in their order.")
           .usual(Scalars.YES_OR_NO.or(false), noted -> noted.scenario().challenge().inOrder());
-  private final Field<Noted, Double> timeLimit =
-      key("time-limit", "Seconds from the first takeoff on.")
+  private final Field<ParsedScenario, Double> timeLimit =
+      key("time-limit", "Maximum time in seconds, counted from the first takeoff.")
           .optional(
-              NumberCodec.seconds(1, Challenge.LONGEST),
+              NumberCodec.seconds(Quantity.TIME_LIMIT),
               noted -> boxed(noted.scenario().challenge().timeLimit()));
-  private final Field<Noted, Boolean> untouched =
+  private final Field<ParsedScenario, Boolean> untouched =
       key(
               "touch",
-              "Whether a drone that touches anything in flight has failed. A crash always"
+              "Whether the task fails when a drone touches anything in flight. A crash always"
                   + " fails.")
           .usual(
               new WordCodec<>(Map.of("forbidden", true, "allowed", false)).or(false),
               noted -> noted.scenario().challenge().untouched());
 
+  private final Field<ParsedScenario, Scoring> scoring =
+      key("scoring", "")
+          .optional(new ScoringCodec(), noted -> noted.scenario().challenge().scoring());
+
   private ScenarioCodec() {
     super(
         "scenario",
         Phrase.of("a scenario"),
-        "A room, what is in it, which drones fly there, and what they shall do. Lengths in cm,"
-            + " angles in degrees, speeds in cm/s.");
+        "A room with its obstacles, drones and goals. Lengths in cm, angles in degrees, speeds in"
+            + " cm/s.");
     made(this::make);
   }
 
@@ -232,16 +235,22 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
     return FlowStyle.BLOCK;
   }
 
-  /** The scenario, even if its parts do not go together, which is told to the mistakes. */
+  /**
+   * Reads a scenario, even if its parts contradict each other; contradictions are reported as
+   * errors.
+   */
   @Override
-  public Optional<Noted> read(Node node, Context context) {
+  public Optional<ParsedScenario> read(Node node, Context context) {
     Entries in = entries(node, context.withDrones(drones(node)));
     boolean sound = in.sound();
-    checkParts(in);
+    checkParts(in, !context.draw().isEmpty());
     return sound ? Optional.of(make(in)) : Optional.empty();
   }
 
-  /** How many drones a file has, before it is read: at least one, and at most as many as can be. */
+  /**
+   * Counts the drones in a file without reading them. Returns 1 if the file lists no drones or too
+   * many.
+   */
   private int drones(Node root) {
     int written = 0;
     if (root instanceof MappingNode mapping) {
@@ -256,10 +265,13 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
     return written <= AddressPlan.MOST_DRONES ? Math.max(1, written) : 1;
   }
 
-  private void checkParts(Entries in) {
+  /**
+   * @param drawn whether the file contains ranges; fixed rooms may be odd on purpose
+   */
+  private void checkParts(Entries in, boolean drawn) {
     ScenarioValidator checks =
         new ScenarioValidator(in.find(room).orElse(UNKNOWN), in.diagnostics());
-    List<Item<ObstacleCodecs.NotedObstacle>> written = in.find(obstacles).orElse(List.of());
+    List<Item<ObstacleCodecs.ParsedObstacle>> written = in.find(obstacles).orElse(List.of());
     List<Item<Obstacle>> named = named(written);
     List<Item<MissionPad>> placed = in.find(pads).orElse(List.of());
     checks.names(written);
@@ -276,27 +288,39 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
     }
     if (in.sound(pads)) {
       checks.padsToLandOn(wanted, Item.values(placed));
+      checks.padsToSee(wanted, Item.values(placed));
+    }
+    if (in.sound(posters)) {
+      checks.postersToSee(wanted, Item.values(in.find(posters).orElse(List.of())));
+    }
+    if (drawn) {
+      checks.overlaps(written, named);
+      checks.covered(placed, Item.values(named));
+      checks.passable(wanted, Item.values(named));
     }
   }
 
-  private static List<Item<Obstacle>> named(List<Item<ObstacleCodecs.NotedObstacle>> written) {
+  private static List<Item<Obstacle>> named(List<Item<ObstacleCodecs.ParsedObstacle>> written) {
     List<String> names = ObstacleCodecs.names(Item.values(written));
     List<Item<Obstacle>> named = new ArrayList<>();
-    for (Item<ObstacleCodecs.NotedObstacle> item : written) {
+    for (Item<ObstacleCodecs.ParsedObstacle> item : written) {
       named.add(item.with(item.value().obstacle().named(names.get(named.size()))));
     }
     return named;
   }
 
-  /** The drones of a file, or else the usual one, which is where the file begins. */
-  private List<Item<DroneCodec.StationedDrone>> flying(Entries in) {
-    List<Item<DroneCodec.StationedDrone>> written = in.find(drones).orElse(List.of());
+  /**
+   * Returns the drones of a file. If the file contains none, returns the default drone; errors
+   * about it refer to the beginning of the file.
+   */
+  private List<Item<DroneCodec.DronePlacement>> flying(Entries in) {
+    List<Item<DroneCodec.DronePlacement>> written = in.find(drones).orElse(List.of());
     return written.isEmpty() && in.sound(drones)
-        ? List.of(new Item<>(USUAL_DRONE, 1, Diagnostics.place(in.node())))
+        ? List.of(new Item<>(USUAL_DRONE, 1, Diagnostics.place(in.node()), false))
         : written;
   }
 
-  private Noted make(Entries in) {
+  private ParsedScenario make(Entries in) {
     Map<Integer, MissionPad> padsById = new LinkedHashMap<>();
     in.get(pads).forEach(pad -> padsById.putIfAbsent(pad.value().id(), pad.value()));
     Arena arena =
@@ -307,11 +331,11 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
             Item.values(named(in.get(obstacles))),
             List.copyOf(padsById.values()),
             in.get(wind));
-    List<DroneCodec.StationedDrone> flying = Item.values(flying(in));
+    List<DroneCodec.DronePlacement> flying = Item.values(flying(in));
     SimConfig config =
         new SimConfig(
             arena,
-            flying.stream().map(DroneCodec.StationedDrone::setup).toList(),
+            flying.stream().map(DroneCodec.DronePlacement::setup).toList(),
             in.get(timeFactor),
             in.get(seed),
             Rules.DEFAULT
@@ -323,7 +347,8 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
             Item.values(in.get(goals)),
             in.get(inOrder),
             limit.isPresent() ? OptionalDouble.of(limit.get()) : OptionalDouble.empty(),
-            in.get(untouched));
+            in.get(untouched),
+            in.find(scoring));
     Scenario scenario =
         new Scenario(
             new Description(
@@ -331,38 +356,28 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
                 in.find(teaches).orElse(LocalizedText.NONE),
                 in.find(difficulty)),
             config,
-            flying.stream().map(DroneCodec.StationedDrone::station).toList(),
+            flying.stream().map(DroneCodec.DronePlacement::station).toList(),
             challenge);
-    return new Noted(
+    return new ParsedScenario(
         scenario, in.get(obstacles).stream().map(item -> item.value().notation()).toList());
   }
 
-  /** The JSON schema with which editors check scenario files. */
+  /** Returns the JSON schema by which editors check scenario files. */
   Map<String, Object> jsonSchema() {
-    Map<String, Object> definitions = new LinkedHashMap<>();
-    Map<String, Object> schema =
-        Codec.object(
-            "$schema",
-            "https://json-schema.org/draft/2020-12/schema",
-            "title",
-            "Scenario of the Tello Simulator");
-    schema.putAll(definition(definitions));
-    schema.put("$defs", definitions);
-    return schema;
+    return document("Scenario of the Tello Simulator");
   }
 
-  /** A number, or {@code max}. */
+  /** Codec of a time factor: a number, or {@code max}. */
   private record TimeFactorCodec() implements Codec<TimeFactor> {
 
     private static final String MAX = "max";
 
     private static final NumberCodec NUMBER =
-        NumberCodec.of(
+        new NumberCodec(
+            Quantity.TIME_FACTOR,
             Phrase.of(
                 "a time factor from %s to %s, or max",
-                NumberCodec.plain(TimeFactor.SMALLEST), NumberCodec.plain(TimeFactor.LARGEST)),
-            TimeFactor.SMALLEST,
-            TimeFactor.LARGEST);
+                NumberCodec.plain(TimeFactor.SMALLEST), NumberCodec.plain(TimeFactor.LARGEST)));
 
     @Override
     public Optional<TimeFactor> read(Node node, Context context) {

@@ -4,151 +4,161 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
+import java.util.OptionalLong;
 import org.snakeyaml.engine.v2.nodes.Node;
-import tellosimulator.scenario.ScenarioCodec.Noted;
-import tellosimulator.scenario.SyntaxTree.Collection;
-import tellosimulator.scenario.SyntaxTree.Syntax;
+import tellosimulator.goal.Goal;
+import tellosimulator.scenario.ScenarioCodec.ParsedScenario;
+import tellosimulator.world.Obstacle;
 
 /**
- * A scenario with the text that a person wrote of it. A change of the scenario changes only those
- * characters of the text that say something else; comments, order, empty lines, the spelling of
- * numbers and colours, and what is left out stay. Immutable; for any thread.
+ * A scenario together with the text that a user wrote. Where possible, a change to the scenario
+ * changes only the affected list items and top-level entries of the text. All others are preserved,
+ * with the comments and empty lines between them. Each new text is read again to verify it.
+ * Immutable.
  */
 public final class ScenarioDocument {
 
-  /** How much of a text stayed when it was changed. */
-  public enum Kept {
-    /** All but what says something else. */
+  /** The extent to which a change preserved the text. */
+  public enum Preserved {
+    /** Everything was preserved except the list items and top-level entries that differ. */
     ALL,
-    /** The sections in which nothing changed; the others were written anew. */
+    /** The top-level entries without changes were preserved; the codec wrote all others. */
     SECTIONS,
-    /** Nothing. */
     NOTHING
   }
 
   private static final String BYTE_ORDER_MARK = "\uFEFF";
 
-  private final Noted noted;
+  private final ParsedScenario noted;
   private final Optional<String> text;
   private final Path folder;
-  private final Kept kept;
+  private final Preserved kept;
+  private final CourseDraw draw;
 
-  private ScenarioDocument(Noted noted, Optional<String> text, Path folder, Kept kept) {
+  private ScenarioDocument(
+      ParsedScenario noted, Optional<String> text, Path folder, Preserved kept, CourseDraw draw) {
     this.noted = noted;
     this.text = text;
     this.folder = folder;
     this.kept = kept;
+    this.draw = draw;
   }
 
-  /** Of a scenario that nobody has written yet. */
+  /** Creates a document for a scenario that has no text yet. */
   public static ScenarioDocument of(Scenario scenario) {
-    return new ScenarioDocument(Noted.usual(scenario), Optional.empty(), Path.of(""), Kept.ALL);
+    return new ScenarioDocument(
+        ParsedScenario.usual(scenario),
+        Optional.empty(),
+        Path.of(""),
+        Preserved.ALL,
+        CourseDraw.NONE);
   }
 
   /**
-   * Of a text.
+   * Creates a document for a text.
    *
-   * @param noted what was read from it
-   * @param folder in which it looks for pictures
+   * @param noted the scenario that was read from the text
+   * @param folder the folder to which the names of image files are relative
+   * @param draw the random numbers for the ranges in the text
    */
-  static ScenarioDocument read(Noted noted, String text, Path folder) {
-    return new ScenarioDocument(noted, Optional.of(text), folder, Kept.ALL);
+  static ScenarioDocument read(ParsedScenario noted, String text, Path folder, CourseDraw draw) {
+    return new ScenarioDocument(noted, Optional.of(text), folder, Preserved.ALL, draw);
+  }
+
+  /** Returns whether the text contained ranges when it was read. */
+  boolean varies() {
+    return !draw.isEmpty();
+  }
+
+  /** Returns the text as it was read, with numbers in the places of its ranges. */
+  String drawnText() {
+    return draw.textOf(text.orElseThrow());
+  }
+
+  /**
+   * Returns this document with the course of another seed.
+   *
+   * @param name the name of the file in messages
+   * @throws ScenarioException if no course of this seed fits
+   */
+  ScenarioDocument drawnFrom(long seed, String name) throws ScenarioException {
+    return ScenarioFile.open(name, bytes().orElseThrow(), folder, OptionalLong.of(seed));
   }
 
   Scenario scenario() {
     return noted.scenario();
   }
 
-  /** What there was of the text before, when it was last changed. */
-  public Kept kept() {
+  /** Returns how much of the text was preserved by the latest change. */
+  public Preserved kept() {
     return kept;
   }
 
-  /** The text in UTF-8; empty if there is none yet. */
+  /** Returns the text in UTF-8; empty if there is none yet. */
   Optional<byte[]> bytes() {
     return text.map(written -> written.getBytes(StandardCharsets.UTF_8));
   }
 
   /**
-   * The same document with another scenario.
+   * Returns a copy of this document with another scenario. The text changes as little as possible;
+   * {@link #kept} returns how much of it was preserved.
    *
-   * @param newFolder in which its file will be
+   * @param newFolder the folder that will contain the file
    */
   public ScenarioDocument changedTo(Scenario wanted, Path newFolder) {
-    if (text.isEmpty()) {
-      return written(wanted, newFolder);
-    }
-    boolean marked = text.get().startsWith(BYTE_ORDER_MARK);
-    String mark = marked ? BYTE_ORDER_MARK : "";
-    String old = text.get().substring(mark.length());
-    Change change = new Change(old, wanted, newFolder);
-    Optional<Changed> changed = change.patched();
-    Kept patchKept = Kept.ALL;
-    if (changed.isEmpty()) {
-      changed = change.rewritten();
-      patchKept = Kept.SECTIONS;
-    }
-    if (changed.isEmpty()) {
-      return written(wanted, newFolder);
-    }
-    Optional<String> newText = Optional.of(mark + changed.get().text());
-    return new ScenarioDocument(changed.get().noted(), newText, newFolder, patchKept);
+    return patched(wanted, newFolder, false, Preserved.ALL)
+        .or(() -> patched(wanted, newFolder, true, Preserved.ALL))
+        .or(() -> patched(wanted, newFolder, true, Preserved.SECTIONS))
+        .orElseGet(() -> written(wanted, newFolder));
+  }
+
+  /**
+   * Returns a copy of this document with a changed text; empty if reading the text does not give
+   * the wanted scenario.
+   *
+   * @param gatesNamed whether the text contains the names of all gates
+   */
+  private Optional<ScenarioDocument> patched(
+      Scenario wanted, Path newFolder, boolean gatesNamed, Preserved preserved) {
+    String all = text.orElse("");
+    String mark = all.startsWith(BYTE_ORDER_MARK) ? BYTE_ORDER_MARK : "";
+    List<Integer> matches = ScenarioPatch.matches(names(scenario()), names(wanted));
+    ParsedScenario target =
+        new ParsedScenario(wanted, SourceForm.kept(noted, matches, wanted, gatesNamed));
+    Node now = ScenarioCodec.CODEC.write(target, newFolder);
+    ScenarioPatch patch = new ScenarioPatch(ScenarioCodec.CODEC.write(noted, folder), now, matches);
+    Optional<String> changed =
+        text.flatMap(
+            old -> patch.applied(old.substring(mark.length()), preserved == Preserved.ALL));
+    return changed
+        .flatMap(newText -> ScenarioFile.understood(newText, newFolder, draw))
+        .filter(read -> ScenarioPatch.same(ScenarioCodec.CODEC.write(read, newFolder), now))
+        .filter(read -> gatesOfGoals(read.scenario()).equals(gatesOfGoals(wanted)))
+        .map(
+            read ->
+                new ScenarioDocument(
+                    target, changed.map(mark::concat), newFolder, preserved, draw));
+  }
+
+  private static List<String> names(Scenario scenario) {
+    return scenario.config().arena().obstacles().stream().map(Obstacle::name).toList();
+  }
+
+  /**
+   * For each goal that requires flying through a gate, returns the index of the gate among the
+   * obstacles; -1 if there is no such gate.
+   */
+  private static List<Integer> gatesOfGoals(Scenario scenario) {
+    return scenario.challenge().goals().stream()
+        .filter(Goal.Pass.class::isInstance)
+        .map(goal -> names(scenario).indexOf(((Goal.Pass) goal).gate()))
+        .toList();
   }
 
   private ScenarioDocument written(Scenario wanted, Path newFolder) {
-    Noted usual = Noted.usual(wanted);
-    String whole = Yaml.text(ScenarioCodec.CODEC.write(usual, newFolder));
-    Kept nothing = text.isEmpty() ? Kept.ALL : Kept.NOTHING;
-    return new ScenarioDocument(usual, Optional.of(whole), newFolder, nothing);
-  }
-
-  /** A text that says what is wanted, and how. */
-  private record Changed(String text, Noted noted) {}
-
-  /** One change of the text, tried in several ways, of which each is checked. */
-  private final class Change {
-
-    private final String old;
-    private final Scenario wanted;
-    private final Path newFolder;
-    private final Syntax syntax;
-    private final Matching matching;
-    private final Node before;
-    private final Node now;
-
-    Change(String old, Scenario wanted, Path newFolder) {
-      this.old = old;
-      this.wanted = wanted;
-      this.newFolder = newFolder;
-      this.syntax = SyntaxTree.of(old);
-      this.matching = Matching.of(noted.scenario(), wanted);
-      this.before = ScenarioCodec.CODEC.write(noted, folder);
-      List<Notation> notations = Notation.kept(noted.notations(), matching.of("obstacles"), wanted);
-      this.now = ScenarioCodec.CODEC.write(new Noted(wanted, notations), newFolder);
-    }
-
-    Optional<Changed> patched() {
-      return new ScenarioPatch(old, matching).applied(before, now, syntax).flatMap(this::checked);
-    }
-
-    /** With the sections written anew that differ. */
-    Optional<Changed> rewritten() {
-      Set<String> keys = ScenarioPatch.differing(before, now);
-      return syntax instanceof Collection root
-          ? new ScenarioPatch(old, matching).rewritten(keys, now, root).flatMap(this::checked)
-          : Optional.empty();
-    }
-
-    /** A text if it says what is wanted. */
-    private Optional<Changed> checked(String changed) {
-      Optional<Noted> read =
-          ScenarioFile.understood(changed, newFolder)
-              .filter(said -> ScenarioPatch.same(ScenarioCodec.CODEC.write(said, newFolder), now))
-              .filter(
-                  said ->
-                      Notation.gatesOfGoals(said.scenario()).equals(Notation.gatesOfGoals(wanted)));
-      return read.map(said -> new Changed(changed, said.of(wanted)));
-    }
+    ParsedScenario usual = ParsedScenario.usual(wanted);
+    String whole = ScenarioPatch.text(ScenarioCodec.CODEC.write(usual, newFolder));
+    Preserved nothing = text.isEmpty() ? Preserved.ALL : Preserved.NOTHING;
+    return new ScenarioDocument(usual, Optional.of(whole), newFolder, nothing, CourseDraw.NONE);
   }
 }

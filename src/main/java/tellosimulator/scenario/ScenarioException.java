@@ -3,7 +3,7 @@ package tellosimulator.scenario;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** A scenario file that cannot be used; its message has a line for each mistake. */
+/** Thrown if a scenario file cannot be used. The message has a line for each error. */
 public final class ScenarioException extends Exception {
 
   private static final long serialVersionUID = 1;
@@ -15,7 +15,7 @@ public final class ScenarioException extends Exception {
     this.diagnostics = List.copyOf(diagnostics);
   }
 
-  /** What is wrong, in the order of the places; at least one. */
+  /** Returns all errors, sorted by position. There is at least one. */
   public List<Diagnostic> diagnostics() {
     return diagnostics;
   }

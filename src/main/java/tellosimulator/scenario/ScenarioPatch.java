@@ -1,247 +1,232 @@
 package tellosimulator.scenario;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.IntStream;
+import java.util.stream.Collectors;
 import org.snakeyaml.engine.v2.nodes.CollectionNode;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
-import tellosimulator.scenario.SyntaxTree.Collection;
-import tellosimulator.scenario.SyntaxTree.Element;
-import tellosimulator.scenario.SyntaxTree.Syntax;
+import tellosimulator.scenario.SourceLayout.Piece;
 
 /**
- * Makes the text of one scenario that of another, by changing only what differs. Both are compared
- * as the writer would write them, with all keys; a difference is carried over to where the text has
- * the value, or where it would have it.
+ * The difference between two scenarios, which can be applied to the text of the first one. List
+ * items and top-level entries that differ are written by the codecs; all others keep their text.
+ *
+ * @param before the node of the first scenario, including keys with default values
+ * @param now the node of the other scenario, including keys with default values
+ * @param obstacles the matches of the other scenario's obstacles, as returned by {@link #matches}
  */
-final class ScenarioPatch {
-
-  private final TextEdits edits;
-  private final BlockStyle style;
-  private final Matching matching;
+record ScenarioPatch(Node before, Node now, List<Integer> obstacles) {
 
   /**
-   * @param matching of the lists of both scenarios
+   * Returns whether two nodes have the same content, whatever their style and the order of keys.
    */
-  ScenarioPatch(String text, Matching matching) {
-    this.edits = new TextEdits(text);
-    this.style = new BlockStyle(edits);
-    this.matching = matching;
+  static boolean same(Node a, Node b) {
+    return content(a).equals(content(b));
+  }
+
+  private static Object content(Node node) {
+    if (node instanceof MappingNode mapping) {
+      Map<String, Object> entries = new HashMap<>();
+      mapping.getValue().forEach(entry -> entries.put(key(entry), content(entry.getValueNode())));
+      return entries;
+    }
+    return node instanceof SequenceNode list
+        ? list.getValue().stream().map(ScenarioPatch::content).toList()
+        : ((ScalarNode) node).getValue();
   }
 
   /**
-   * The new text; empty if it cannot be made.
+   * Matches the items of a list with those of an earlier list. Equal items are matched first. Then,
+   * each remaining item is matched with the item that follows the match of its predecessor, if that
+   * item is still unmatched.
    *
-   * @param before what the text says
-   * @param now what it shall say
-   * @param syntax of the text
+   * @return for each item, its index in the earlier list or {@link SourceLayout#NEW}
    */
-  Optional<String> applied(Node before, Node now, Syntax syntax) {
-    value("", before, now, syntax);
-    return edits.result();
-  }
-
-  /**
-   * Changes sections as a whole.
-   *
-   * @param keys of the sections
-   */
-  Optional<String> rewritten(Set<String> keys, Node now, Collection root) {
-    for (String key : keys) {
-      Optional<Node> value = child(now, key);
-      Optional<Element> element = root.element(key);
-      if (value.isPresent() && element.isPresent()) {
-        whole(element.get(), value.get());
+  static List<Integer> matches(List<?> before, List<?> now) {
+    Map<Object, Deque<Integer>> unmatched = new HashMap<>();
+    for (int i = 0; i < before.size(); i++) {
+      unmatched.computeIfAbsent(before.get(i), item -> new ArrayDeque<>()).add(i);
+    }
+    List<Integer> matches = new ArrayList<>();
+    for (Object item : now) {
+      Deque<Integer> equal = unmatched.getOrDefault(item, new ArrayDeque<>());
+      matches.add(equal.isEmpty() ? SourceLayout.NEW : equal.remove());
+    }
+    Set<Integer> used = new HashSet<>(matches);
+    for (int i = 0; i < now.size(); i++) {
+      int next = i == 0 ? 0 : matches.get(i - 1) + 1;
+      if (matches.get(i) == SourceLayout.NEW && next < before.size() && used.add(next)) {
+        matches.set(i, next);
       }
     }
-    return edits.result();
+    return matches;
   }
 
-  /** Whether two nodes say the same. */
-  static boolean same(Node a, Node b) {
-    if (a instanceof ScalarNode one && b instanceof ScalarNode other) {
-      return one.getValue().equals(other.getValue());
+  /**
+   * Returns the text of the other scenario; empty if the entries of the text cannot be located.
+   * Callers must verify the result: it may describe a different scenario if the text contains
+   * anchors or rare forms of YAML.
+   *
+   * @param text the text of the first scenario
+   * @param byItem whether to write only the items of a list that differ, rather than all
+   */
+  Optional<String> applied(String text, boolean byItem) {
+    if (same(before, now)) {
+      return Optional.of(text);
     }
-    if (a instanceof SequenceNode one && b instanceof SequenceNode other) {
-      List<Node> others = other.getValue();
-      return one.getValue().size() == others.size()
-          && IntStream.range(0, others.size())
-              .allMatch(i -> same(one.getValue().get(i), others.get(i)));
+    boolean crlf = text.contains("\r\n") && !text.replace("\r\n", "").contains("\n");
+    String suffix = text.endsWith("\n") ? "" : "\n";
+    String lines = (crlf ? text.replace("\r\n", "\n") : text) + suffix;
+    MappingNode root = (MappingNode) new Source("", new Diagnostics("")).root(lines).orElseThrow();
+    SourceLayout layout = new SourceLayout(lines);
+    if (!layout.isInOrder(root)) {
+      return Optional.empty();
     }
-    return a instanceof MappingNode one && b instanceof MappingNode && differing(one, b).isEmpty();
+    String changed = layout.with(entries(root, layout, byItem), root, 0, lines.length());
+    String whole = changed.substring(0, changed.length() - suffix.length());
+    return Optional.of(crlf ? whole.replace("\n", "\r\n") : whole);
   }
 
-  /** The keys of two mappings whose values differ. */
-  static Set<String> differing(Node a, Node b) {
-    Set<String> keys = new HashSet<>(keys(a));
-    keys.addAll(keys(b));
-    keys.removeIf(
-        key -> {
-          Optional<Node> one = child(a, key);
-          Optional<Node> other = child(b, key);
-          return one.isPresent() && other.isPresent() && same(one.get(), other.get());
-        });
-    return keys;
+  /** Returns the entries of the other scenario, in the order of the text. */
+  private List<Piece> entries(MappingNode root, SourceLayout layout, boolean byItem) {
+    boolean flow = SourceLayout.isFlow(root);
+    List<String> keys = new ArrayList<>();
+    List<Piece> pieces = new ArrayList<>();
+    for (int i = 0; i < root.getValue().size(); i++) {
+      NodeTuple entry = root.getValue().get(i);
+      String key = key(entry);
+      Optional<Node> value = child(now, key);
+      if (!differs(key)) {
+        pieces.add(new Piece(i, layout.text(entry.getKeyNode(), entry.getValueNode())));
+      } else if (byItem && hasItems(entry, layout)) {
+        pieces.add(new Piece(i, list(entry, layout)));
+      } else if (value.isPresent()) {
+        pieces.add(new Piece(i, entry(key, value.get(), flow)));
+      } else {
+        continue; // removed
+      }
+      keys.add(key);
+    }
+    int slot = 0;
+    for (NodeTuple entry : ((MappingNode) now).getValue()) {
+      String key = key(entry);
+      Node value = entry.getValueNode();
+      if (keys.contains(key)) {
+        slot = keys.indexOf(key) + 1;
+      } else if (differs(key) && !Yaml.isUsual(value)) {
+        boolean section = value instanceof CollectionNode<?> && !flow && slot > 0;
+        String text = (section ? "\n" : "") + entry(key, value, flow);
+        pieces.add(slot, new Piece(SourceLayout.NEW, text));
+        keys.add(slot, key);
+        slot++;
+      }
+    }
+    return pieces;
   }
 
-  private static List<String> keys(Node mapping) {
-    return ((MappingNode) mapping).getValue().stream().map(ScenarioPatch::key).toList();
+  private boolean differs(String key) {
+    return !child(before, key)
+        .map(ScenarioPatch::content)
+        .equals(child(now, key).map(ScenarioPatch::content));
   }
 
-  private static String key(NodeTuple tuple) {
-    return ((ScalarNode) tuple.getKeyNode()).getValue();
+  /**
+   * Returns whether the items of a list can be located in the text. They cannot be located if they
+   * are aliases, or if the text lists no drones and the scenario therefore has the default drone.
+   */
+  private boolean hasItems(NodeTuple entry, SourceLayout layout) {
+    return entry.getValueNode() instanceof SequenceNode list
+        && list.getValue().size() == items(before, key(entry)).size()
+        && layout.isInOrder(list);
+  }
+
+  /** Returns the text of a key and its list, in which only the items that differ are changed. */
+  private String list(NodeTuple entry, SourceLayout layout) {
+    SequenceNode list = (SequenceNode) entry.getValueNode();
+    boolean flow = SourceLayout.isFlow(list);
+    String key = key(entry);
+    List<Node> old = items(before, key);
+    List<Node> items = items(now, key);
+    List<Integer> matches =
+        key.equals("obstacles") ? obstacles : matches(identities(old), identities(items));
+    List<Piece> pieces = new ArrayList<>();
+    for (int i = 0; i < items.size(); i++) {
+      Node item = items.get(i);
+      int match = matches.get(i);
+      boolean unchanged = match != SourceLayout.NEW && same(old.get(match), item);
+      Node place = unchanged ? list.getValue().get(match) : item;
+      pieces.add(new Piece(match, unchanged ? layout.text(place, place) : item(item, flow)));
+    }
+    Node name = entry.getKeyNode();
+    String changed = layout.with(pieces, list, layout.end(name), layout.end(list));
+    boolean emptied = pieces.isEmpty() && !flow;
+    return layout.text(name, name) + (emptied ? changed.replaceFirst(":", ": []") : changed);
+  }
+
+  private static List<Object> identities(List<Node> items) {
+    return items.stream()
+        .map(item -> item instanceof MappingNode ? child(item, "id").orElse(item) : item)
+        .map(ScenarioPatch::content)
+        .toList();
+  }
+
+  private static List<Node> items(Node scenario, String key) {
+    return child(scenario, key).map(list -> ((SequenceNode) list).getValue()).orElse(List.of());
   }
 
   private static Optional<Node> child(Node mapping, String key) {
     return ((MappingNode) mapping)
         .getValue().stream()
-            .filter(tuple -> key(tuple).equals(key))
+            .filter(entry -> key(entry).equals(key))
             .map(NodeTuple::getValueNode)
             .findFirst();
   }
 
+  private static String key(NodeTuple entry) {
+    return ((ScalarNode) entry.getKeyNode()).getValue();
+  }
+
+  // --- written by the codecs ---
+
+  /** Formats a whole file, with an empty line before each list and mapping except the first. */
+  static String text(Node scenario) {
+    StringBuilder text = new StringBuilder();
+    for (NodeTuple entry : ((MappingNode) scenario).getValue()) {
+      Node value = entry.getValueNode();
+      if (!Yaml.isUsual(value)) {
+        text.append(value instanceof CollectionNode<?> && !text.isEmpty() ? "\n" : "");
+        text.append(entry(key(entry), value, false)).append("\n");
+      }
+    }
+    return text.toString();
+  }
+
+  private static String entry(String key, Node value, boolean flow) {
+    return !flow && value instanceof SequenceNode list && !list.getValue().isEmpty()
+        ? list.getValue().stream()
+            .map(item -> "\n  - " + item(item, false))
+            .collect(Collectors.joining("", key + ":", ""))
+        : key + ": " + Yaml.inline(value);
+  }
+
   /**
-   * Changes a value.
-   *
-   * @param key under which it is; empty for none
+   * Formats an item on one line. Outside brackets, the outer braces of an obstacle or goal are
+   * omitted.
    */
-  private void value(String key, Node before, Node now, Syntax syntax) {
-    if (same(before, now)) {
-      return;
-    }
-    if (syntax instanceof Collection written && fits(before, now, written)) {
-      if (now instanceof MappingNode) {
-        mapping(before, now, written);
-      } else if (numbers(now)) {
-        numbers((SequenceNode) before, (SequenceNode) now, written);
-      } else {
-        list(key, (SequenceNode) before, (SequenceNode) now, written);
-      }
-    } else {
-      edits.replace(syntax.start(), syntax.end(), Yaml.inline(now));
-    }
-  }
-
-  /** Whether what is written has the same parts as both nodes, or some of them. */
-  private static boolean fits(Node before, Node now, Collection written) {
-    int size = written.elements().size();
-    if (before instanceof SequenceNode was && now instanceof SequenceNode is) {
-      boolean sameNumber = was.getValue().size() == is.getValue().size();
-      return was.getValue().size() == size && (sameNumber || !numbers(now));
-    }
-    return before instanceof MappingNode
-        && now instanceof MappingNode
-        && (size == 0
-            || written.elements().stream()
-                .anyMatch(element -> element.key().filter(keys(now)::contains).isPresent()));
-  }
-
-  private static boolean numbers(Node list) {
-    return list instanceof SequenceNode sequence
-        && !sequence.getValue().isEmpty()
-        && sequence.getValue().get(0) instanceof ScalarNode;
-  }
-
-  private void numbers(SequenceNode before, SequenceNode now, Collection written) {
-    for (int i = 0; i < written.elements().size(); i++) {
-      value("", before.getValue().get(i), now.getValue().get(i), written.elements().get(i).value());
-    }
-  }
-
-  private void mapping(Node before, Node now, Collection written) {
-    ElementEdits elements = new ElementEdits(edits, written);
-    List<Element> present = written.elements();
-    for (int i = 0; i < present.size(); i++) {
-      String key = present.get(i).key().orElse("");
-      if (child(now, key).isEmpty() && child(before, key).isPresent()) {
-        elements.remove(i);
-      }
-    }
-    int slot = 0;
-    for (NodeTuple tuple : ((MappingNode) now).getValue()) {
-      Optional<Element> element = written.element(key(tuple));
-      Optional<Node> was = child(before, key(tuple));
-      Node value = tuple.getValueNode();
-      if (element.isPresent()) {
-        slot = present.indexOf(element.get()) + 1;
-        entry(element.get(), was, value);
-      } else if (!Yaml.isUsual(value) && was.filter(node -> same(node, value)).isEmpty()) {
-        List<String> lines = new ArrayList<>(style.entry(tuple, Optional.of(written)));
-        if (value instanceof CollectionNode<?> && !numbers(value)) {
-          lines.add(0, ""); // as before each section
-        }
-        elements.add(slot, List.of(key(tuple) + ": " + Yaml.inline(value)), lines);
-      }
-    }
-  }
-
-  private void entry(Element element, Optional<Node> before, Node now) {
-    if (before.isPresent() && same(before.get(), now)) {
-      return;
-    }
-    boolean emptied = now instanceof SequenceNode list && list.getValue().isEmpty();
-    if (emptied && element.value() instanceof Collection block && !block.flow()) {
-      edits.insert(element.valueFrom(), " []");
-    }
-    value(element.key().orElse(""), before.orElse(now), now, element.value());
-  }
-
-  private void list(String key, SequenceNode before, SequenceNode now, Collection written) {
-    ElementEdits elements = new ElementEdits(edits, written);
-    List<Integer> matches = matching.of(key);
-    for (int i = 0; i < written.elements().size(); i++) {
-      if (!matches.contains(i)) {
-        elements.remove(i);
-      }
-    }
-    int slot = 0;
-    List<Node> added = new ArrayList<>();
-    for (int i = 0; i < matches.size(); i++) {
-      int match = matches.get(i);
-      if (match == Matching.NEW) {
-        added.add(now.getValue().get(i));
-      } else {
-        add(elements, slot, added, written);
-        added.clear();
-        Syntax item = written.elements().get(match).value();
-        value("", before.getValue().get(match), now.getValue().get(i), item);
-        slot = match + 1;
-      }
-    }
-    add(elements, written.elements().size(), added, written);
-  }
-
-  /** Adds items in the style of the one before. */
-  private void add(ElementEdits elements, int slot, List<Node> added, Collection written) {
-    if (added.isEmpty()) {
-      return;
-    }
-    Optional<Element> like =
-        written.elements().isEmpty()
-            ? Optional.empty()
-            : Optional.of(written.elements().get(Math.max(0, slot - 1)));
-    List<String> lines = new ArrayList<>();
-    for (Node item : added) {
-      lines.addAll(style.item(item, like));
-    }
-    elements.add(slot, added.stream().map(Yaml::inline).toList(), lines);
-  }
-
-  private void whole(Element element, Node value) {
-    List<String> lines = new ArrayList<>();
-    if (value instanceof SequenceNode list && !list.getValue().isEmpty()) {
-      lines.add("");
-      lines.addAll(style.items(list));
-    } else {
-      lines.add(" " + Yaml.inline(value));
-    }
-    edits.replace(element.valueFrom(), element.end(), lines);
+  private static String item(Node item, boolean flow) {
+    String line = Yaml.inline(item);
+    boolean braces = flow || !(item instanceof MappingNode map) || SourceLayout.isFlow(map);
+    return braces ? line : line.substring(1, line.length() - 1);
   }
 }

@@ -26,16 +26,19 @@ import org.snakeyaml.engine.v2.schema.FailsafeSchema;
 import tellosimulator.scenario.Diagnostic.Place;
 import tellosimulator.words.Phrase;
 
-/** The text of a file, made into nodes; whatever it holds, it costs little time and memory. */
+/** Parses the text of a file into nodes. Time and memory are bounded for any content. */
 final class Source {
 
-  /** Largest file [bytes]. Decided: some ten thousand obstacles. */
+  /** Maximum size of a file [bytes]. Decided: enough for about ten thousand obstacles. */
   static final int LARGEST = 4 << 20;
 
-  /** Longest sentence of the library that is shown [characters]. Decided. */
+  /**
+   * Maximum length of a quoted message of the YAML library [characters]; longer messages are
+   * truncated. Decided.
+   */
   private static final int LONGEST_SHOWN = 120;
 
-  /** What the library says of text that is taken for something else. */
+  /** Matches the messages of the YAML library about text that needs quotes. */
   private static final Pattern NEEDS_QUOTES =
       Pattern.compile("mapping values are not allowed|cannot start any token");
 
@@ -49,7 +52,7 @@ final class Source {
     this.diagnostics = diagnostics;
   }
 
-  /** The bytes of a file; empty if it cannot be read or is too large. */
+  /** Reads the bytes of a file; returns empty if the file cannot be read or is too large. */
   Optional<byte[]> bytes(Path path) {
     if (Files.isDirectory(path)) {
       diagnostics.add(Place.WHOLE, Phrase.of("expected a file, found a folder"));
@@ -59,7 +62,7 @@ final class Source {
       diagnostics.add(Place.WHOLE, Phrase.of("there is no such file"));
       return Optional.empty();
     }
-    if (!Files.isRegularFile(path)) { // a pipe may wait for ever, and a device never ends
+    if (!Files.isRegularFile(path)) { // a pipe may block forever, and a device may never end
       diagnostics.add(Place.WHOLE, Phrase.of("expected a file, found a pipe or a device"));
       return Optional.empty();
     }
@@ -78,7 +81,7 @@ final class Source {
     }
   }
 
-  /** The text in UTF-8; empty if it is something else. */
+  /** Decodes UTF-8; returns empty if the bytes are not valid UTF-8. */
   Optional<String> text(byte[] bytes) {
     CharsetDecoder decoder = StandardCharsets.UTF_8.newDecoder();
     CharBuffer chars = CharBuffer.allocate(bytes.length + 1);
@@ -92,7 +95,10 @@ final class Source {
     return Optional.of(marked ? text.substring(1) : text);
   }
 
-  /** What the text holds; empty if it is not YAML or nothing. */
+  /**
+   * Parses the text. If the text is empty, is not YAML or exceeds a limit, reports an error and
+   * returns empty.
+   */
   Optional<Node> root(String text) {
     LoadSettings settings = settings(text);
     try {
@@ -133,27 +139,28 @@ final class Source {
   }
 
   /**
-   * The whole text is one buffer. Of several, each word that reaches beyond one would be copied
-   * with each, and each mark keep one alive: a line of 4 MB took 20 s and 1.5 GB.
+   * Returns settings with which the whole text is read into one buffer. With several buffers, a
+   * word that extends over several of them would be copied once per buffer, and each mark would
+   * retain a buffer. Measured with several buffers: a line of 4 MB took 20 s and 1.5 GB.
    */
   private LoadSettings settings(String text) {
     return LoadSettings.builder()
         .setLabel(file)
         .setCodePointLimit(LARGEST)
-        .setSchema(new FailsafeSchema()) // all scalars are texts, which codecs read
-        .setAllowNonScalarKeys(true) // which codecs refuse, with their place
-        .setBufferSize(text.length() + 2) // the reader leaves one free, and may hold one back
+        .setSchema(new FailsafeSchema()) // codecs parse all scalars as strings
+        .setAllowNonScalarKeys(true) // codecs reject such keys, and report where they are
+        .setBufferSize(text.length() + 2) // the reader needs two spare characters
         .build();
   }
 
-  /** The place after a text. */
+  /** Returns the position of the end of a text. */
   private static Place end(String text) {
     int line = 1 + (int) text.chars().filter(c -> c == '\n').count();
     int column = text.length() - text.lastIndexOf('\n');
     return new Place(line, column);
   }
 
-  /** What the library says may repeat the file. */
+  /** Shortens a message of the YAML library, which may quote the whole file. */
   private static String shortened(String message) {
     String line = message.lines().findFirst().orElse("");
     return line.length() <= LONGEST_SHOWN ? line : line.substring(0, LONGEST_SHOWN) + "…";

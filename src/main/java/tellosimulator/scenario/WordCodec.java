@@ -11,14 +11,14 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import tellosimulator.words.Phrase;
 import tellosimulator.words.Spelling;
 
-/** A value that is written as one of some words. */
+/** Codec of a value that is written as one of several words. */
 record WordCodec<T>(NavigableMap<String, T> words) implements Codec<T> {
 
   WordCodec(Map<String, T> words) {
     this(new TreeMap<>(words));
   }
 
-  /** The values of an enum by their names in small letters. */
+  /** Returns a codec of an enum, whose values are written as their names in lower case. */
   @SafeVarargs
   static <E extends Enum<E>> WordCodec<E> of(E... values) {
     NavigableMap<String, E> words = new TreeMap<>();
@@ -48,7 +48,7 @@ record WordCodec<T>(NavigableMap<String, T> words) implements Codec<T> {
     return context.diagnostics().add(node, wrong);
   }
 
-  /** The word for a value. */
+  /** Returns the word for a value. */
   String word(T value) {
     for (Map.Entry<String, T> entry : words.entrySet()) {
       if (entry.getValue().equals(value)) {

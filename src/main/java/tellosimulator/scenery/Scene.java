@@ -5,14 +5,15 @@ import java.util.List;
 import tellosimulator.scenery.mesh.Instance;
 
 /**
- * Everything that can be seen at a moment, in layers that are drawn in this order. A renderer need
- * not look again at a list that is the same as before. Immutable; for any thread.
+ * Everything that is visible at one moment, in layers that are drawn in the order of the
+ * parameters. Immutable. If a list is the same object as in the previous scene, a renderer can skip
+ * it.
  *
  * @param room floor, walls and ceiling, and the decals on them; static
- * @param ground decals on the floor and on obstacles: shadows, mission pads, start marks
- * @param obstacles opaque but for the shade at their feet; static
+ * @param ground decals on the floor and on obstacles: shadows, mission pads, start positions
+ * @param obstacles obstacles, which are opaque except for the shade at their feet; static
  * @param drones bodies, lamps and propellers
- * @param overlay aids for people, which no drone's camera sees
+ * @param overlay visual aids for people; drones' cameras do not see them
  */
 public record Scene(
     List<Instance> room,
@@ -29,7 +30,7 @@ public record Scene(
     overlay = List.copyOf(overlay);
   }
 
-  /** A scene of instances that do not move. */
+  /** Creates a scene of instances that do not move. */
   public static Scene of(List<Instance> instances) {
     return new Scene(instances, List.of(), List.of(), List.of(), List.of());
   }
@@ -38,7 +39,7 @@ public record Scene(
     return new Scene(room, ground, obstacles, drones, newOverlay);
   }
 
-  /** All instances in drawing order. */
+  /** Returns all instances in drawing order. */
   public List<Instance> instances() {
     List<Instance> all = new ArrayList<>(room);
     all.addAll(ground);

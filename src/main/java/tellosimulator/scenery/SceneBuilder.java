@@ -17,25 +17,23 @@ import tellosimulator.scenery.drone.ExtensionBoard;
 import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.drone.PropellerSpin;
 import tellosimulator.scenery.drone.StatusLight;
-import tellosimulator.scenery.furniture.CastShadows;
-import tellosimulator.scenery.furniture.ContactShadows;
+import tellosimulator.scenery.furniture.FloorShadows;
 import tellosimulator.scenery.furniture.Furniture;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.pad.PadDecals;
 import tellosimulator.scenery.room.BlobShadow;
-import tellosimulator.scenery.room.Finish;
 import tellosimulator.scenery.room.Interior;
-import tellosimulator.scenery.room.StartMark;
+import tellosimulator.scenery.room.StartDecal;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.world.Arena;
 
 /**
- * Builds the scene of a snapshot. Equal snapshots give equal scenes. Keeps the meshes and textures
- * of what does not change, so all cameras share one builder. The room is finished for those who
- * look: people or a drone's film. For any thread.
+ * Builds the scene of a snapshot. Equal snapshots give equal scenes. Static meshes and textures are
+ * cached, so all cameras should share one builder. People and drones see the same room; only people
+ * see the slab on which it stands. Thread-safe.
  */
 public final class SceneBuilder {
 
@@ -44,52 +42,41 @@ public final class SceneBuilder {
   private final BlobShadow shadows = new BlobShadow();
   private final Furniture furniture = new Furniture();
   private final ExtensionBoard boards = new ExtensionBoard();
-  private final ContactShadows contactShadows = new ContactShadows();
-  private final CastShadows castShadows = new CastShadows();
+  private final FloorShadows floorShadows = new FloorShadows();
 
-  /** By colour; numbers hash without the reflection that records need at first. */
-  private final Map<Integer, StartMark> startMarks = new ConcurrentHashMap<>();
+  /**
+   * The start decals by colour. The key is the ARGB value rather than the record, because hashing a
+   * record uses slow reflection on first use.
+   */
+  private final Map<Integer, StartDecal> startMarks = new ConcurrentHashMap<>();
 
   private final Map<Integer, DroneParts> parts = new ConcurrentHashMap<>();
 
-  /** The scene as people see it, without an overlay. */
+  /** Returns the scene for people, without an overlay. */
   public Scene scene(SimSnapshot snapshot) {
-    return scene(
-        snapshot,
-        OptionalInt.empty(),
-        Finish.forPeople(snapshot.decor().walls()),
-        Optional.empty());
+    return scene(snapshot, OptionalInt.empty(), Optional.empty());
   }
 
   /**
-   * The scene as people see it from a place, without an overlay: what would be hard to tell from
-   * there is drawn larger.
+   * Returns the scene, without an overlay, for people who look from a given position. Drones that
+   * would be hard to see from that position are enlarged.
    *
-   * @param eye room frame
+   * @param eye position of the viewer in the room frame
    */
   public Scene scene(SimSnapshot snapshot, Vec3 eye) {
-    return scene(
-        snapshot,
-        OptionalInt.empty(),
-        Finish.forPeople(snapshot.decor().walls()),
-        Optional.of(eye));
+    return scene(snapshot, OptionalInt.empty(), Optional.of(eye));
   }
 
   /**
-   * The scene as the camera on a drone sees it: without this drone, but with its shadow.
+   * Returns the scene for the camera of a drone: without the drone itself, but with its shadow.
    *
-   * @param drone its number, from 1
+   * @param drone the drone's number, from 1
    */
   public Scene scene(SimSnapshot snapshot, int drone) {
-    return scene(
-        snapshot,
-        OptionalInt.of(drone),
-        Finish.forFilm(snapshot.decor().walls()),
-        Optional.empty());
+    return scene(snapshot, OptionalInt.of(drone), Optional.empty());
   }
 
-  private Scene scene(
-      SimSnapshot snapshot, OptionalInt without, Finish finish, Optional<Vec3> eye) {
+  private Scene scene(SimSnapshot snapshot, OptionalInt without, Optional<Vec3> eye) {
     Arena arena = snapshot.arena();
     List<Instance> obstacles = furniture.instances(arena.obstacles());
     int count = snapshot.drones().size();
@@ -109,8 +96,8 @@ public final class SceneBuilder {
     seen.forEach(drone -> addPropellers(drones, drone)); // last, because they may be translucent
     return new Scene(
         without.isEmpty()
-            ? interior.onSlab(arena.room(), arena.decor(), finish)
-            : interior.instances(arena.room(), arena.decor(), finish),
+            ? interior.onSlab(arena.room(), arena.decor())
+            : interior.instances(arena.room(), arena.decor()),
         ground(snapshot, obstacles),
         obstacles,
         drones,
@@ -119,12 +106,11 @@ public final class SceneBuilder {
 
   private List<Instance> ground(SimSnapshot snapshot, List<Instance> obstacles) {
     Arena arena = snapshot.arena();
-    List<Instance> ground = new ArrayList<>(castShadows.instances(arena.room(), obstacles));
-    ground.addAll(contactShadows.instances(arena.room(), arena.obstacles()));
+    List<Instance> ground = new ArrayList<>(floorShadows.instances(arena.room(), obstacles));
     ground.addAll(pads.instances(arena.room(), arena.pads()));
     for (DroneSnapshot drone : snapshot.drones()) {
       Rgb color = Livery.of(drone).color();
-      StartMark mark = startMarks.computeIfAbsent(color.argb(), argb -> new StartMark(color));
+      StartDecal mark = startMarks.computeIfAbsent(color.argb(), argb -> new StartDecal(color));
       ground.add(mark.at(drone.start()));
       ground.add(shadows.of(arena, drone.state().motion().position()));
     }
@@ -159,28 +145,28 @@ public final class SceneBuilder {
     }
   }
 
-  /** Made when it is first seen, which the camera on the only drone never does. */
+  /** Creates the parts on first use, because the camera of a lone drone never needs them. */
   private DroneParts parts(DroneSnapshot drone) {
     Rgb cover = Livery.of(drone).cover();
     return parts.computeIfAbsent(cover.argb(), argb -> new DroneParts(cover));
   }
 
   /**
-   * A drone as it is drawn.
+   * A drone to be drawn.
    *
-   * @param scale of all its parts, about its feet
+   * @param scale factor by which all of its parts are enlarged about its feet
    */
   private record DrawnDrone(DroneSnapshot drone, double scale) {
 
-    /** A part whose mesh is in the body frame. */
+    /** Creates an instance of a part whose mesh is in the body frame. */
     Instance instance(Part part) {
       return new Instance(part, drone.state().motion().pose(), scale, 1);
     }
 
     /**
-     * A part that is turned about a place of its own.
+     * Creates an instance of a part that is rotated about its own origin.
      *
-     * @param place body frame [m]
+     * @param place position of the part's origin in the body frame [m]
      */
     Instance instance(Part part, Vec3 place, Attitude turned) {
       Pose pose = drone.state().motion().pose();

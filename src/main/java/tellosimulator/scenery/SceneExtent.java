@@ -3,37 +3,41 @@ package tellosimulator.scenery;
 import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.GoalMark;
+import tellosimulator.goal.PlacedGoal;
+import tellosimulator.goal.PlacedGoal.PlaceCases;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Footprint;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
 
 /**
- * The places that a view of the whole scene must show: the corners of the floor, and things: the
- * corners of obstacles, mission pads, starts and goals. All in the room frame [m].
+ * The points that a view of the whole scene must include: the corners of the floor, and points
+ * around the obstacles, mission pads, start positions and goals. All points are in the room frame
+ * [m].
  */
 public final class SceneExtent {
 
-  /** Height over a start that is seen too [m]. Decided: a drone takes off to less. */
+  /** Height above a start to keep in view [m]. Decided: higher than a drone climbs on take-off. */
   private static final double TAKEOFF = 1;
 
-  /** What is seen around a start [m]. Decided: the ring of a drone, seen from some metres away. */
+  /**
+   * Radius around a start to keep in view [m]. Decided: the size of a drone's ring seen from a few
+   * metres away.
+   */
   private static final double RING = 0.2;
 
   /**
-   * Height over a gate or a ball that is seen too, and twice that over a circle [m]. Decided: a
-   * tag, seen from some metres away; over a circle it is raised.
+   * Height above a gate or a ball to keep in view [m]; above a circle it is doubled, because the
+   * tag there is raised. Decided: the size of a tag seen from a few metres away.
    */
   private static final double TAG = 0.3;
 
   private SceneExtent() {}
 
-  /** The corners of the floor. */
+  /** Returns the corners of the floor. */
   public static List<Vec3> floor(Room room) {
     List<Vec3> places = new ArrayList<>();
     Vec3 size = new Vec3(room.depth(), room.width(), 0);
@@ -41,12 +45,12 @@ public final class SceneExtent {
     return places;
   }
 
-  /** All that is in a room. */
+  /** Returns the points around the obstacles, mission pads, starts and goals in a room. */
   public static List<Vec3> things(Arena arena, List<Pose> starts, List<Goal> goals) {
     List<Vec3> places = new ArrayList<>();
     Room room = arena.room();
     for (Obstacle obstacle : arena.obstacles()) {
-      addCorners(places, obstacle.pose(), Footprint.size(obstacle.shape()));
+      addCorners(places, obstacle.pose(), obstacle.shape().size());
     }
     for (MissionPad pad : arena.pads()) {
       addCorners(places, pad.pose(room), new Vec3(MissionPad.EDGE, MissionPad.EDGE, 0));
@@ -57,39 +61,43 @@ public final class SceneExtent {
       double air = Math.max(0, Math.min(room.height(), height + TAKEOFF) - height);
       addCorners(places, new Pose(start.position(), Attitude.LEVEL), ring.withZ(air));
     }
-    for (GoalMark.Place place : GoalMark.places(goals, arena)) {
-      addGoal(places, place);
-    }
+    PlacedGoal.places(goals, arena).forEach(place -> places.addAll(around(place)));
     return places;
   }
 
-  /** What shows a goal, with its tag. */
-  private static void addGoal(List<Vec3> places, GoalMark.Place place) {
+  /**
+   * Returns the points around a goal and its tag. For a gate, the only point is the top of the tag,
+   * because the gate itself is one of the obstacles.
+   */
+  private static List<Vec3> around(PlacedGoal.Place place) {
     Vec3 middle = place.middle();
-    if (place instanceof GoalMark.Ball ball) {
-      addAround(places, middle, ball.radius());
-      places.add(middle.withZ(Math.max(0, middle.z() - ball.radius())));
-      places.add(middle.plusScaled(Vec3.UP, ball.radius() + TAG));
-    } else if (place instanceof GoalMark.Circle circle) {
-      addAround(places, middle, circle.radius());
-      places.add(middle.plusScaled(Vec3.UP, 2 * TAG));
-    } else if (place instanceof GoalMark.Opening gate) { // which is among the obstacles
-      places.add(gate.top().plusScaled(Vec3.UP, TAG));
-    }
+    return place.match(
+        new PlaceCases<>(
+            ball ->
+                around(
+                    middle,
+                    ball.radius(),
+                    middle.withZ(Math.max(0, middle.z() - ball.radius())),
+                    middle.plusScaled(Vec3.UP, ball.radius() + TAG)),
+            circle -> around(middle, circle.radius(), middle.plusScaled(Vec3.UP, 2 * TAG)),
+            gate -> List.of(gate.top().plusScaled(Vec3.UP, TAG)),
+            square -> around(middle, square.edge() / 2, middle.plusScaled(Vec3.UP, 2 * TAG))));
   }
 
-  private static void addAround(List<Vec3> places, Vec3 middle, double radius) {
+  private static List<Vec3> around(Vec3 middle, double radius, Vec3... others) {
+    List<Vec3> places = new ArrayList<>(List.of(others));
     for (double side : new double[] {-radius, radius}) {
       places.add(middle.plus(new Vec3(side, 0, 0)));
       places.add(middle.plus(new Vec3(0, side, 0)));
     }
+    return places;
   }
 
   /**
-   * The corners of a box.
+   * Adds the corners of a box.
    *
-   * @param foot middle of its base
-   * @param size depth, width and height
+   * @param foot pose of the middle of the box's base
+   * @param size depth, width and height of the box [m]
    */
   private static void addCorners(List<Vec3> places, Pose foot, Vec3 size) {
     for (double x : new double[] {-size.x() / 2, size.x() / 2}) {

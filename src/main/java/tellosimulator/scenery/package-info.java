@@ -1,10 +1,10 @@
 /**
- * What the room and the drones in it look like: the one description from which the window and the
- * drones' cameras draw.
+ * The appearance of the room and the drones in it. Both the window and the drones' cameras render
+ * from this one description.
  *
  * <p>{@link tellosimulator.scenery.SceneBuilder} builds the {@link tellosimulator.scenery.Scene} of
- * a snapshot: instances of parts, each at its pose in the room frame. The packages below it make
- * the parts, of the values in {@code scenery.mesh}. All values are immutable and for any thread.
- * Drawing is not its job; neither JavaFX nor sockets are known here.
+ * a snapshot: instances of parts, each at its pose in the room frame. The subpackages create the
+ * parts from the value types in {@code scenery.mesh}. All values are immutable. This package does
+ * not render, and it depends on neither JavaFX nor sockets.
  */
 package tellosimulator.scenery;

@@ -3,20 +3,20 @@ package tellosimulator.sensor;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 
-/** Where the beams of a drone's distance sensors come back from. */
+/** The surroundings as the distance sensors of a drone detect them. */
 public interface Echoes {
 
   /**
-   * How far it is from a drone's feet to what is below, along its own axis [m]; infinite if it
-   * looks up.
+   * Returns the distance from a drone's feet to the object below [m], measured along the drone's
+   * own vertical axis; infinite if the sensor points up.
    */
   double below(Pose drone);
 
   /**
-   * How far it is to the nearest thing along a beam [m].
+   * Returns the distance to the nearest object along a beam [m].
    *
-   * @param origin room frame [m]
-   * @param direction unit vector, room frame
+   * @param origin the start of the beam, in the room frame [m]
+   * @param direction a unit vector, in the room frame
    */
   double along(Vec3 origin, Vec3 direction);
 }

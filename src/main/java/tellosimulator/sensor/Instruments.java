@@ -16,42 +16,61 @@ import tellosimulator.sensor.SensorReadings.Range;
 import tellosimulator.time.SimTime;
 
 /**
- * IMU, barometer, distance sensor and the rest: from the true state to what the drone reports. The
- * same state over the same ground always gives the same readings, noise included. Immutable; for
- * the thread of the echoes.
+ * The instruments of a drone, such as IMU, barometer and distance sensor. They turn the true state
+ * into the reported one. The same state over the same ground always gives the same readings,
+ * including noise. Immutable, but confined to the thread on which the {@link Echoes} may be called.
  */
 public final class Instruments {
 
-  /** Noise of the accelerometer [0.001 g]. Measured: ±50 in hover. */
+  /** Standard deviation of the accelerometer [0.001 g]. Measured: readings vary by ±50 in hover. */
   private static final double ACCELERATION_NOISE = 20;
 
-  /** Noise of the barometer [m]. Measured: ±0.3 in flight. */
+  /** Standard deviation of the barometer [m]. Measured: readings vary by ±0.3 m in flight. */
   private static final double BAROMETER_NOISE = 0.12;
 
-  /** The barometer's offset lies within this [m]. Measured: -150 to 1700, mostly low. */
+  /**
+   * Maximum offset of the barometer, up or down [m]. Measured: offsets from -150 to 1700 m, mostly
+   * low.
+   */
   private static final double BAROMETER_OFFSET = 150;
 
-  /** Noise of the distance sensor [m]. Assumed: a centimetre. */
+  /** Standard deviation of the distance sensors [m]. Assumed: readings vary by about 1 cm. */
   private static final double TOF_NOISE = 0.008;
 
-  /** Noise of pitch and roll [degrees]. Measured: ±1. */
+  /** Standard deviation of pitch and roll [degrees]. Measured: readings vary by ±1 degree. */
   private static final double ANGLE_NOISE = 0.4;
 
-  /** Noise of the velocity [dm/s]. Measured: now and then ±1, of what is cut off. */
+  /**
+   * Standard deviation of the velocity before truncation [dm/s]. Measured: readings occasionally
+   * vary by ±1 dm/s.
+   */
   private static final double VELOCITY_NOISE = 0.4;
 
-  /** Drift of yaw [degrees/s]. Measured: "slowly". */
+  /**
+   * Standard deviation of the yaw drift, which changes at each power-on [degrees/s]. Measured: yaw
+   * drifts "slowly".
+   */
   private static final double YAW_DRIFT = 0.02;
 
-  /** Least and greatest offset of height in a flight [m]. Measured: 10 to 40 cm, at most 58. */
+  /** Minimum offset of the reported height during a flight [m]. Measured: 10 to 40 cm. */
   private static final double LEAST_HEIGHT_OFFSET = 0.10;
 
+  /**
+   * Maximum offset of the reported height during a flight [m]. Measured: 10 to 40 cm, at most 58
+   * cm.
+   */
   private static final double GREATEST_HEIGHT_OFFSET = 0.40;
 
-  /** Reported by the board's sensor where there is no echo [mm]. Documented: SDK 3.0 User Guide. */
+  /**
+   * Reading of the extension board's distance sensor without an echo [mm]. Documented: SDK 3.0 User
+   * Guide.
+   */
   static final int BOARD_NONE_MM = 8192;
 
-  /** Where that sensor is, body frame [m]. Assumed: on top, as far ahead as the camera. */
+  /**
+   * Position of the extension board's distance sensor, in the body frame [m]. Assumed: on top of
+   * the drone, as far forward as the camera.
+   */
   private static final Vec3 BOARD_SENSOR = new Vec3(0.035, 0, DroneSpec.COLLIDER.height());
 
   private static final double STANDARD_MILLI_G = 1000 / DroneSpec.GRAVITY;
@@ -63,8 +82,10 @@ public final class Instruments {
   private final UnaryOperator<SensorReadings> wrong;
 
   /**
-   * @param echoes where the beams of the distance sensors come back from
-   * @param wrong what becomes of right readings
+   * Creates the instruments of a drone.
+   *
+   * @param echoes the surroundings that reflect the beams of the distance sensors
+   * @param wrong changes the readings as the active faults require
    */
   public Instruments(
       Behavior behavior, SeededNoise noise, Echoes echoes, UnaryOperator<SensorReadings> wrong) {
@@ -75,7 +96,7 @@ public final class Instruments {
     this.noise = noise;
   }
 
-  /** What all instruments say in this state. */
+  /** Returns the readings of all instruments for a state. */
   public SensorReadings read(DroneState state) {
     Sample sample = new Sample(state.time());
     Motion motion = state.motion();
@@ -95,8 +116,8 @@ public final class Instruments {
   }
 
   /**
-   * What the distance sensor of the extension board reports [mm]: how far it is to what is ahead of
-   * it, or {@link #BOARD_NONE_MM}.
+   * Returns the reading of the extension board's distance sensor [mm]: the distance to the object
+   * ahead, or {@link #BOARD_NONE_MM} without an echo.
    */
   public int boardTofMm(DroneState state) {
     Pose drone = state.motion().pose();
@@ -134,9 +155,9 @@ public final class Instruments {
   }
 
   /**
-   * Speeds as a real drone cuts them off. Measured: xg590/Tello-Python, where a flight at yaw -26
-   * has {@code vgx:2;vgy:0} as often as {@code vgx:2;vgy:-1}, and the sums of all speeds miss a
-   * sixth of the way.
+   * Truncates the components towards zero, as a real drone does. Measured: xg590/Tello-Python. In a
+   * flight at a yaw of -26 degrees, {@code vgx:2;vgy:0} is as frequent as {@code vgx:2;vgy:-1}, and
+   * the reported speeds add up to a sixth less than the distance flown.
    */
   private static Vec3 truncated(Vec3 velocity) {
     return new Vec3((int) velocity.x(), (int) velocity.y(), (int) velocity.z());
@@ -185,7 +206,7 @@ public final class Instruments {
     return Math.floorMod(degrees + 179, 360) - 179;
   }
 
-  /** The errors of one moment. */
+  /** The noise of all readings at one moment. */
   private final class Sample {
     private final SimTime time;
 

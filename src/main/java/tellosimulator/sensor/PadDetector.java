@@ -12,27 +12,35 @@ import tellosimulator.model.PadSighting;
 import tellosimulator.model.Perception;
 import tellosimulator.time.SimTime;
 
-/** Finds mission pads in what the cameras see. Immutable; for any thread. */
+/** Detects mission pads in the view of the cameras. Immutable. */
 public final class PadDetector {
 
   /**
-   * Nearest and farthest that a pad is recognised, along its own axis [m]. Measured: 30 to 120 cm
-   * (TelloEduSwarmSearch, DJITelloPy); two centimetres less, because a drone that hovers at 30 cm
-   * and pitches sees the pad below it all the time.
+   * Minimum distance at which a pad is recognised, along its own axis [m]. Measured: 30 cm
+   * (TelloEduSwarmSearch, DJITelloPy). The value is two centimetres less than measured, so that a
+   * drone that hovers at 30 cm and pitches does not lose sight of the pad below it.
    */
   static final double NEAREST = 0.28;
 
+  /**
+   * Maximum distance at which a pad is recognised, along its own axis [m]. Measured: 120 cm
+   * (TelloEduSwarmSearch, DJITelloPy).
+   */
   static final double FARTHEST = 1.2;
 
-  /** Steepest look at a pad, as the cosine of the angle to its axis. Assumed: 60 degrees. */
+  /**
+   * The cosine of the maximum angle between the line of sight and the pad's axis. Assumed: 60
+   * degrees.
+   */
   private static final double STEEPEST = 0.5;
 
-  /** Periods of looking with one camera and with both [ns]. Documented: 20 and 10 Hz (SDK 2.0). */
+  /** Interval between detections with one camera [ns]. Documented: 20 Hz (SDK 2.0). */
   private static final long ONE_CAMERA = 50_000_000;
 
+  /** Interval between detections with both cameras [ns]. Documented: 10 Hz (SDK 2.0). */
   private static final long BOTH_CAMERAS = 100_000_000;
 
-  /** From the body's axes to those of the camera in the underside: x down, y to the left. */
+  /** The rotation from the body's axes to those of the downward camera: x down, y to the left. */
   private static final Attitude UNDERSIDE = pitchedDown(Math.PI / 2);
 
   private static final Attitude NOSE = pitchedDown(DroneSpec.CAMERA_TILT);
@@ -40,26 +48,27 @@ public final class PadDetector {
   private final double tanAcross = StrictMath.tan(DroneSpec.CAMERA_FIELD_OF_VIEW / 2);
   private final double tanUp = tanAcross * DroneSpec.CAMERA_HEIGHT_SHARE;
 
-  /** A pad in the room. */
+  /** A mission pad in the room. */
   public record Card(int id, Pose pose) {}
 
-  /** Whether something stands between two places. */
+  /** Tests whether the line of sight between two places is free. */
   @FunctionalInterface
   public interface Sight {
     boolean free(Vec3 from, Vec3 to);
   }
 
-  /** Whether it looks at this moment. */
+  /** Whether a detection is due at a given time. */
   public static boolean looksAt(SimTime time, PadMode mode) {
     long period = mode == PadMode.BOTH ? BOTH_CAMERAS : ONE_CAMERA;
     return mode != PadMode.OFF && time.nanos() % period == 0;
   }
 
   /**
-   * What it sees now: first what is below, and of several the nearest.
+   * Returns the pads in sight: first the pads below, then the pads ahead, each group in order of
+   * increasing distance.
    *
-   * @param moment now, and from where it looks
-   * @param before where it looks, and what it saw when it looked last
+   * @param moment the current time, and the drone's pose
+   * @param before the directions of detection, and the previous result
    */
   public Perception look(
       PadSighting.Moment moment, Perception before, List<Card> cards, Sight sight) {
@@ -90,14 +99,19 @@ public final class PadDetector {
         .orElse(now);
   }
 
-  /** A pad that hangs is none to fly over, even if a tilted drone sees it with its underside. */
+  /**
+   * Whether a pad lies roughly flat. A drone cannot fly over a pad on a wall, even if it tilts so
+   * far that its downward camera sees the pad.
+   */
   private static boolean lies(Card card) {
     return card.pose().attitude().up().z() > STEEPEST;
   }
 
   /**
-   * @param camera its attitude in the body's axes
-   * @param longAlongNose whether the longer edge of its picture lies along the nose
+   * Whether a camera sees a pad.
+   *
+   * @param camera the attitude of the camera in the body's axes
+   * @param longAlongNose whether the longer edge of the picture is parallel to the nose
    */
   private boolean sees(Pose drone, Card card, Attitude camera, boolean longAlongNose) {
     Vec3 offset = drone.position().minus(card.pose().position());

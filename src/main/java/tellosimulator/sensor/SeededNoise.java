@@ -3,12 +3,12 @@ package tellosimulator.sensor;
 import java.util.Random;
 
 /**
- * Random numbers that depend only on the seed, the drone, what they are for and when: who reads a
- * sensor, and how often, changes nothing. Immutable; for any thread.
+ * Random numbers that depend only on seed, drone, purpose and index. The numbers are therefore the
+ * same however often a sensor is read. Immutable.
  */
 public final class SeededNoise {
 
-  /** What a number is for; each has a sequence of its own. */
+  /** The purpose of a random number. Each purpose has its own sequence. */
   public enum Channel {
     PITCH,
     ROLL,
@@ -40,8 +40,10 @@ public final class SeededNoise {
   private final long seed;
 
   /**
-   * @param seed of the whole simulation
-   * @param drone its number, from 1
+   * Creates the noise of a drone.
+   *
+   * @param seed the seed of the whole simulation
+   * @param drone the number of the drone, from 1
    */
   public SeededNoise(long seed, int drone) {
     this(mixed(mixed(seed) + drone));
@@ -51,17 +53,20 @@ public final class SeededNoise {
     this.seed = mixedSeed;
   }
 
-  /** Other numbers for the same purposes, of a part of the drone that has a name. */
+  /**
+   * Returns the noise for a named part of the drone. Its numbers differ from those of the drone
+   * itself.
+   */
   public SeededNoise of(String part) {
     return new SeededNoise(mixed(seed + part.hashCode()));
   }
 
-  /** A number of the standard normal distribution. */
+  /** Returns a random number from the standard normal distribution. */
   public double gaussian(Channel channel, long index) {
     return random(channel, index).nextGaussian();
   }
 
-  /** A number from {@code least} to {@code most}, evenly distributed. */
+  /** Returns a random number from {@code least} to {@code most}, uniformly distributed. */
   public double between(double least, double most, Channel channel, long index) {
     return least + (most - least) * random(channel, index).nextDouble();
   }
@@ -70,7 +75,10 @@ public final class SeededNoise {
     return new Random(mixed(mixed(seed + channel.name().hashCode()) + index));
   }
 
-  /** The finalizer of SplitMix64 (Steele, Lea, Flood 2014): spreads close numbers far apart. */
+  /**
+   * Applies the finalizer of SplitMix64 (Steele, Lea, Flood 2014), which maps similar numbers to
+   * very different ones.
+   */
   private static long mixed(long value) {
     long z = value + 0x9e3779b97f4a7c15L;
     z = (z ^ (z >>> 30)) * 0xbf58476d1ce4e5b9L;

@@ -3,13 +3,15 @@ package tellosimulator.sensor;
 import tellosimulator.math.Vec3;
 
 /**
- * What the drone's instruments say, in the units and with the resolution that they have.
+ * The readings of a drone's instruments, in the units and resolution of the drone.
  *
- * @param attitude in degrees
- * @param velocityDm x along the heading at power-on, y to the right of it, z down [dm/s]
- * @param range what the distance and height sensors say
- * @param barometer height by air pressure [m], with an offset of its own
- * @param acceleration felt, x forward, y right, z down [0.001 g]
+ * @param attitude the attitude [degrees]
+ * @param velocityDm the velocity [dm/s]: x along the heading at power-on, y to the right of that
+ *     heading, z down
+ * @param range the readings of the distance and height sensors
+ * @param barometer the height according to air pressure [m], with a constant offset
+ * @param acceleration the acceleration as an accelerometer measures it [0.001 g]: x forward, y
+ *     right, z down
  * @param health battery, temperature and time
  */
 public record SensorReadings(
@@ -21,32 +23,36 @@ public record SensorReadings(
     Health health) {
 
   /**
-   * Attitude in whole degrees.
+   * An attitude in whole degrees.
    *
-   * @param pitch nose down is negative
-   * @param roll right side down is positive
-   * @param yaw clockwise is positive, from the heading at power-on, -179 to 180
+   * @param pitch negative when the nose is down
+   * @param roll positive when the right side is down
+   * @param yaw positive clockwise, relative to the heading at power-on, from -179 to 180
    */
   public record AttitudeDeg(int pitch, int roll, int yaw) {}
 
   /**
-   * Distances from the ground.
+   * The readings of the distance and height sensors.
    *
-   * @param tofMm distance to what is below [mm]; {@link TimeOfFlight#NONE_MM} without an echo
-   * @param heightDm height above the place of the last takeoff [dm]
+   * @param tofMm the distance to the object below [mm]; {@link TimeOfFlight#NONE_MM} without an
+   *     echo
+   * @param heightDm the height above the place of the last takeoff [dm]
    */
   public record Range(int tofMm, int heightDm) {}
 
   /**
-   * How the drone fares.
+   * The condition of the drone.
    *
    * @param batteryPercent 0 to 100
-   * @param temperature the lower of the two reported ones [°C]
-   * @param motorSeconds motors on since power-on
+   * @param temperature the lower of the two reported temperatures [°C]
+   * @param motorSeconds the time with motors on since power-on
    */
   public record Health(int batteryPercent, int temperature, int motorSeconds) {
 
-    /** The higher temperature is reported a few degrees above the lower one. Measured: 2 to 3. */
+    /**
+     * Returns the higher temperature, a few degrees above the lower one [°C]. Measured: the
+     * difference is 2 to 3.
+     */
     public int highTemperature() {
       return temperature + 3;
     }

@@ -2,29 +2,30 @@ package tellosimulator.sensor;
 
 import tellosimulator.math.Attitude;
 
-/** The distance sensor in the belly. */
+/** The downward distance sensor. */
 public final class TimeOfFlight {
 
-  /** Reported where there is no echo [mm]. Measured: 6553 cm. */
+  /** Reading without an echo [mm]. Measured: the drone reports 6553 cm. */
   public static final int NONE_MM = 65530;
 
-  /** Least distance that it reports [mm]. Measured: 10 cm on the floor. */
+  /** Minimum reading [mm]. Measured: the drone reports 10 cm on the floor. */
   private static final int LEAST_MM = 100;
 
-  /** Greatest distance with an echo [m]. Documented: positioning works up to 10 m. */
+  /** Maximum distance with an echo [m]. Documented: positioning works up to 10 m. */
   private static final double GREATEST = 10;
 
-  /** Steepest beam that comes back, as the cosine of the tilt. Assumed: 60 degrees. */
+  /** The cosine of the maximum tilt of the drone at which there is an echo. Assumed: 60 degrees. */
   private static final double STEEPEST = 0.5;
 
   private TimeOfFlight() {}
 
   /**
-   * What it reports [mm].
+   * Returns the reading of the sensor [mm].
    *
-   * @param attitude of the drone
-   * @param distance from the belly to what is below, along its own axis [m]
-   * @param error of the sensor [m]
+   * @param attitude the attitude of the drone
+   * @param distance the distance from the underside to the object below, along the drone's vertical
+   *     axis [m]
+   * @param error the error of the sensor [m]
    */
   static int read(Attitude attitude, double distance, double error) {
     if (attitude.up().z() < STEEPEST || distance > GREATEST) {

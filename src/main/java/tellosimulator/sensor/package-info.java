@@ -1,10 +1,10 @@
 /**
- * What the drone's own instruments make of the truth.
+ * The instruments of a drone. They turn its true state into readings.
  *
  * <p>{@link tellosimulator.sensor.Instruments} turns a {@link tellosimulator.model.DroneState} into
- * {@link tellosimulator.sensor.SensorReadings}; {@link tellosimulator.sensor.SeededNoise} gives
- * random numbers that depend on nothing but seed, drone, purpose and time. All of it is immutable
- * and for any thread. The package imports {@code model}, {@code profile}, {@code time} and {@code
- * math}. How readings are written on the wire is not its job.
+ * {@link tellosimulator.sensor.SensorReadings}. {@link tellosimulator.sensor.SeededNoise} provides
+ * random numbers that depend only on seed, drone, purpose and index. All types are immutable. The
+ * package imports {@code model}, {@code profile}, {@code time} and {@code math}. Another package
+ * defines the format of readings on the wire.
  */
 package tellosimulator.sensor;

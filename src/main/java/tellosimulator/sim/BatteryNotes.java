@@ -5,10 +5,13 @@ import java.util.Set;
 import tellosimulator.model.Battery;
 import tellosimulator.words.Phrase;
 
-/** Makes the notes for people about a battery that empties. */
+/** Creates the log messages about a low battery. */
 final class BatteryNotes {
 
-  /** Percentages worth a line: no flip, soon no takeoff, no takeoff, lands by itself. */
+  /**
+   * The charges at which a message is logged [%]. From the highest to the lowest: the drone can no
+   * longer flip, will soon be unable to take off, can no longer take off, lands automatically.
+   */
   private static final Set<Integer> TOLD =
       Set.of(
           Battery.LEAST_FOR_FLIP - 1,
@@ -19,11 +22,11 @@ final class BatteryNotes {
   private BatteryNotes() {}
 
   /**
-   * The note about a change.
+   * Returns the message about a change of charge.
    *
-   * @param before what was left [%]
-   * @param left what is left now [%]
-   * @return empty for most percentages
+   * @param before the previous charge [%]
+   * @param left the current charge [%]
+   * @return the message; empty if the charge has not changed, or if its new value has no message
    */
   static Optional<Phrase> note(int before, int left) {
     return left != before && TOLD.contains(left)

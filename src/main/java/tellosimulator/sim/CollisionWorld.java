@@ -14,7 +14,10 @@ import tellosimulator.world.Collision;
 import tellosimulator.world.Obstacles;
 import tellosimulator.world.WindField;
 
-/** What is around each drone now: the room, what stands in it, and the others. For one thread. */
+/**
+ * The current surroundings of each drone: the room, its obstacles, and the other drones. Not
+ * thread-safe.
+ */
 final class CollisionWorld {
 
   private static final Collider COLLIDER = DroneSpec.COLLIDER;
@@ -27,8 +30,10 @@ final class CollisionWorld {
   private WindField wind;
 
   /**
-   * @param drones in the order of their numbers; may change
-   * @param seed of everything random
+   * Creates the surroundings of a simulation's drones.
+   *
+   * @param drones in the order of their numbers; the list may change
+   * @param seed the seed of all randomness
    */
   CollisionWorld(Arena arena, List<SimDrone> drones, long seed) {
     this.drones = drones;
@@ -36,7 +41,7 @@ final class CollisionWorld {
     change(arena);
   }
 
-  /** Something else is there now. */
+  /** Replaces the arena. */
   void change(Arena newArena) {
     arena = newArena;
     obstacles = Obstacles.of(arena);
@@ -48,42 +53,50 @@ final class CollisionWorld {
     return arena;
   }
 
-  /** Velocity of the air, room frame [m/s]. */
+  /** Returns the air velocity at a time, in the room frame [m/s]. */
   Vec3 wind(SimTime time) {
     return wind.at(time);
   }
 
-  /** The obstacle that stops a drone on its way through a step. */
-  Optional<Collision> obstacle(SimDrone drone) {
+  /** Returns the collision with an obstacle that stops a drone during a step, if any. */
+  Optional<Collision> obstacle(DroneBody drone) {
     return obstacles.collide(drone.before(), drone.position(), drone.velocity(), COLLIDER);
   }
 
-  /** The side of the room that stops a drone. */
-  Optional<Collision> surface(SimDrone drone) {
+  /** Returns the collision with a wall, the floor or the ceiling that stops a drone, if any. */
+  Optional<Collision> surface(DroneBody drone) {
     return arena.room().collide(drone.position(), drone.velocity(), COLLIDER);
   }
 
-  /** Whether nothing carries a drone that rests, or something is where it is. */
-  boolean unsettles(SimDrone drone) {
+  /**
+   * Returns whether a resting drone may have lost its support, or overlaps something. The result is
+   * always true for a drone above the floor.
+   */
+  boolean unsettles(DroneBody drone) {
     Vec3 place = drone.position();
     return place.z() > 0
         || !arena.room().contains(place, COLLIDER)
         || obstacles.around(place, COLLIDER).isPresent();
   }
 
-  /** Mission pads in the room. */
+  /** Returns the mission pads in the room. */
   List<Card> cards() {
     return cards;
   }
 
-  /** Whether no obstacle stands between two places; the last centimetres do not count. */
+  /**
+   * Returns whether the straight line between two points is free of obstacles. The last centimetre
+   * of the line is ignored.
+   */
   boolean free(Vec3 from, Vec3 to) {
     Vec3 way = to.minus(from);
     double distance = way.norm();
     return obstacles.distance(from, way.normalized(), distance) >= distance - 0.01;
   }
 
-  /** What a drone's distance sensors see: the room, obstacles, other drones. */
+  /**
+   * Returns the surroundings that a drone's distance sensors detect: room, obstacles, other drones.
+   */
   Echoes echoes(int number) {
     return new Echoes() {
       @Override
@@ -105,12 +118,15 @@ final class CollisionWorld {
     };
   }
 
-  /** The distance along a ray to an obstacle or another drone, or {@code limit} [m]. */
+  /**
+   * Returns the distance along a ray to the nearest obstacle or other drone [m], but at most {@code
+   * limit}.
+   */
   private double nearest(int number, Vec3 origin, Vec3 direction, double limit) {
     double nearest = obstacles.distance(origin, direction, limit);
     for (SimDrone other : drones) {
       if (other.number() != number) {
-        nearest = Math.min(nearest, other.distanceAlong(origin, direction));
+        nearest = Math.min(nearest, other.body().distanceAlong(origin, direction));
       }
     }
     return nearest;

@@ -14,31 +14,37 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Wind;
 
 /**
- * What people do to the simulation, as opposed to what operator programs do. It is taken from the
- * same queue as commands, in the order in which they came, between two steps.
+ * An action on the simulation itself, for example by the user, as opposed to a command from an
+ * operator program. Controls pass through the same queue as commands. They are applied in order of
+ * arrival, between two steps.
  */
 public sealed interface Control {
 
   /** A control that concerns one drone. */
   sealed interface ForDrone extends Control {
-    /** Its number, from 1. */
+    /** Returns the number of the drone, from 1. */
     int drone();
   }
 
-  /** The power switch. */
+  /** Switches a drone on or off. */
   record Power(int drone, boolean on) implements ForDrone {}
 
-  /** Back to the start, as if it had just been put there. */
+  /** Returns a drone to its start, as if newly placed there. */
   record Reset(int drone) implements ForDrone {}
 
-  /** Lands a drone that is in the air, because its program has ended; others stay as they are. */
+  /**
+   * Lands an airborne drone because its program has ended. Has no effect on a drone that is not
+   * airborne.
+   */
   record Land(int drone) implements ForDrone {}
 
-  /** Takes a drone from its operator: the next sender of {@code command} gets it. */
+  /**
+   * Releases a drone from its operator. The next sender of {@code command} becomes its operator.
+   */
   record Release(int drone) implements ForDrone {}
 
   /**
-   * Charges or drains the battery.
+   * Sets the charge of a drone's battery.
    *
    * @param percent 0 to 100
    */
@@ -52,48 +58,54 @@ public sealed interface Control {
   }
 
   /**
-   * Puts a drone's start elsewhere, and the drone too if it stands on the ground; out of what is
-   * there already, it moves at once.
+   * Moves a drone's start. A resting drone moves with its start, and is pushed out in the next step
+   * if it overlaps something there.
    *
-   * @param position on the floor, room frame [m]
-   * @param heading where its nose points [rad], counter-clockwise seen from above
+   * @param position the start on the floor, in the room frame [m]
+   * @param heading the direction of the drone's nose [rad], counter-clockwise seen from above
    */
   record SetStart(int drone, Vec3 position, double heading) implements ForDrone {
 
-    /** A start at which the drone looks along the room's x. */
+    /** Moves a drone's start, with the drone facing along the room's x axis. */
     public SetStart(int drone, Vec3 position) {
       this(drone, position, 0);
     }
   }
 
   /**
-   * Makes another product of a drone, and lets its state and video go elsewhere; only while it is
-   * off.
+   * Changes a drone's product, and the ports for its state and video. Has an effect only while the
+   * drone is off.
    */
   record Configure(int drone, Product product, StreamPorts streamPorts) implements ForDrone {}
 
   /**
-   * Lets time pass where it would stand still, because it runs as fast as possible and nothing
+   * Lets simulated time pass. At time factor {@code max}, it otherwise stands still while nothing
    * moves.
    *
-   * @param seconds how long from now on [simulated s]
+   * @param seconds the duration from now on [simulated s]
    */
   record PassTime(double seconds) implements Control {}
 
   /**
-   * Begins the simulation anew, at moment 0 and with all drones off, as if the program had just
-   * started; what came before it is forgotten. The same commands then have the same effects.
-   *
-   * @param config with as many drones as before
+   * Ends the attempt at the goals: open goals can no longer be reached. Has no effect on the
+   * drones.
    */
-  record Restart(SimConfig config) implements Control {}
+  record EndAttempt() implements Control {}
 
-  /** Another room; drones and starts that would be outside move in. */
+  /**
+   * Restarts the simulation at time 0 with all drones off, as if the program had just started. All
+   * previous state is discarded, so the same commands have the same effects again.
+   *
+   * @param config the configuration of the new run, with as many drones as before
+   */
+  record NewRun(SimConfig config) implements Control {}
+
+  /** Changes the room. Drones and starts that would be outside are moved inside. */
   record SetRoom(Room room) implements Control {}
 
   /**
-   * Other obstacles and mission pads; everything else stays. Drones that would be in something move
-   * out of it.
+   * Replaces the obstacles and mission pads, and nothing else. A drone that overlaps a new obstacle
+   * is pushed out.
    */
   record Furnish(List<Obstacle> obstacles, List<MissionPad> pads) implements Control {
     public Furnish {
@@ -102,24 +114,24 @@ public sealed interface Control {
     }
   }
 
-  /** One more fault, which begins at once unless it waits for something. */
+  /** Adds a fault. It begins at once unless it has a later trigger. */
   record InjectFault(Fault fault) implements Control {}
 
-  /** No fault any more; the link stays as good as it is. */
+  /** Ends all faults. The link quality stays the same. */
   record ClearFaults() implements Control {}
 
-  /** How good the link of all drones is from now on. */
+  /** Sets the link quality of all drones. */
   record SetLink(LinkPreset link) implements Control {}
 
-  /** Another wind; everything else stays. */
+  /** Replaces the wind, and nothing else. */
   record SetWind(Wind wind) implements Control {}
 
-  /** Other looks of the room. */
+  /** Changes the appearance of the room. */
   record Decorate(Decor decor) implements Control {}
 
-  /** Lets simulated time stand still, or go on. */
+  /** Pauses or resumes simulated time. */
   record Pause(boolean paused) implements Control {}
 
-  /** How fast simulated time passes. */
+  /** Sets the speed of simulated time. */
   record SetTimeFactor(TimeFactor factor) implements Control {}
 }

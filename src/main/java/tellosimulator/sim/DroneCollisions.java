@@ -10,25 +10,33 @@ import tellosimulator.world.Collider;
 import tellosimulator.world.Collision;
 
 /**
- * Drones that run into each other. They are equally heavy and do not bounce; one that stands is not
- * moved. For the simulation thread.
+ * Resolves collisions between drones. All drones have the same mass, collisions are inelastic, and
+ * a standing drone does not move. Confined to the simulation thread.
  */
 final class DroneCollisions {
 
   private static final Collider COLLIDER = DroneSpec.COLLIDER;
 
-  /** Farther apart than this they cannot touch within a step [m]: their size and fastest fall. */
+  /**
+   * Distance beyond which two drones cannot touch within a step [m]: two radii, plus a margin that
+   * allows for the fastest fall.
+   */
   private static final double FAR = 2 * COLLIDER.radius() + 0.5;
 
-  /** Longest stretch of their way to each other [m]. Decided: a quarter of a drone's height. */
+  /**
+   * Step width along the relative path of two drones [m]. Decided: a quarter of a drone's height.
+   */
   private static final double STRETCH = 0.01;
 
-  /** How fast one slips off another one's back [m/s²]. Assumed: round, smooth covers. */
+  /**
+   * Acceleration at which a drone slips off another one [m/s²]. Assumed: the covers are round and
+   * smooth.
+   */
   private static final double SLIP = 4;
 
   private DroneCollisions() {}
 
-  /** Keeps all pairs apart, in the order of their numbers. */
+  /** Separates all overlapping pairs, in the order of the drones' numbers. */
   static void resolve(List<SimDrone> drones) {
     int count = drones.size();
     if (count < 2) {
@@ -38,7 +46,7 @@ final class DroneCollisions {
     double[] y = new double[count];
     double[] z = new double[count];
     for (int i = 0; i < count; i++) {
-      Vec3 position = drones.get(i).position();
+      Vec3 position = drones.get(i).body().position();
       x[i] = position.x();
       y[i] = position.y();
       z[i] = position.z();
@@ -48,13 +56,13 @@ final class DroneCollisions {
         if (Math.abs(x[i] - x[j]) < FAR
             && Math.abs(y[i] - y[j]) < FAR
             && Math.abs(z[i] - z[j]) < FAR) {
-          resolve(drones.get(i), drones.get(j));
+          resolve(drones.get(i).body(), drones.get(j).body());
         }
       }
     }
   }
 
-  private static void resolve(SimDrone one, SimDrone other) {
+  private static void resolve(DroneBody one, DroneBody other) {
     if (one.resting() && other.resting()) {
       return;
     }
@@ -72,10 +80,11 @@ final class DroneCollisions {
   }
 
   /**
-   * The way out of the other drone; empty if it is not in it.
+   * Returns the shortest displacement of a drone out of the other one; empty if the two do not
+   * overlap.
    *
-   * @param offset from the other one
-   * @param before the same at the beginning of the step
+   * @param offset the drone's position relative to the other drone
+   * @param before the offset at the beginning of the step
    */
   private static Optional<Vec3> push(Vec3 offset, Vec3 before) {
     double apart = offset.horizontal().norm();
@@ -93,19 +102,21 @@ final class DroneCollisions {
     return Optional.of(aside(offset).times(sidewards));
   }
 
-  /** The level direction away from the other drone. */
+  /** Returns the horizontal direction away from the other drone. */
   private static Vec3 aside(Vec3 offset) {
     Vec3 level = offset.horizontal();
     return level.equals(Vec3.ZERO) ? new Vec3(1, 0, 0) : level.normalized();
   }
 
   /**
-   * Parts two drones.
+   * Separates two drones.
    *
-   * @param push from the other one to the one
-   * @param passed what they went on after they touched; its part along the push is taken back
+   * @param push the displacement that separates the drones, directed from {@code other} to {@code
+   *     one}
+   * @param passed the relative path of the drones after the contact; its component along the push
+   *     is undone
    */
-  private static void part(SimDrone one, SimDrone other, Vec3 push, Vec3 passed) {
+  private static void part(DroneBody one, DroneBody other, Vec3 push, Vec3 passed) {
     Vec3 normal = push.normalized();
     double closing = Math.max(0, -one.velocity().minus(other.velocity()).dot(normal));
     double back = push.norm() + Math.max(0, -passed.dot(normal));
@@ -119,15 +130,15 @@ final class DroneCollisions {
   }
 
   /**
-   * What one of the two gets of the push.
+   * The share of one drone in a separation.
    *
-   * @param way metres
-   * @param stop what it loses of its velocity [m/s]
-   * @param closing how fast they came together [m/s]
+   * @param way the drone's displacement [m]
+   * @param stop the drone's loss of velocity [m/s]
+   * @param closing the closing speed of the pair [m/s]
    */
   private record Share(double way, double stop, double closing) {}
 
-  private static void push(SimDrone drone, SimDrone other, Vec3 normal, Share share) {
+  private static void push(DroneBody drone, DroneBody other, Vec3 normal, Share share) {
     if (drone.resting()) {
       return;
     }

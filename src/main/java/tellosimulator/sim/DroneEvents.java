@@ -3,14 +3,21 @@ package tellosimulator.sim;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import tellosimulator.command.CommandObserver;
+import tellosimulator.command.LinkDatagram;
+import tellosimulator.command.OperatorEndpoint;
 import tellosimulator.command.OperatorSession;
 import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
+import tellosimulator.command.Request;
 import tellosimulator.controller.FlightEvent;
+import tellosimulator.fault.LinkDirection;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
-/** Turns what happens to a drone, and between it and operators, into events. For one thread. */
+/**
+ * Converts a drone's flight events and its traffic with operators to simulation events. Not
+ * thread-safe.
+ */
 final class DroneEvents implements CommandObserver {
 
   private final int drone;
@@ -18,7 +25,9 @@ final class DroneEvents implements CommandObserver {
   private final Consumer<SimEvent> events;
 
   /**
-   * @param drone its number, from 1
+   * Creates the converter for the events of a drone.
+   *
+   * @param drone the number of the drone, from 1
    */
   DroneEvents(int drone, Supplier<SimTime> now, Consumer<SimEvent> events) {
     this.drone = drone;
@@ -26,32 +35,43 @@ final class DroneEvents implements CommandObserver {
     this.events = events;
   }
 
-  void happened(FlightEvent event) {
+  SimTime now() {
+    return now.get();
+  }
+
+  @Override
+  public void happened(FlightEvent event) {
     events.accept(new SimEvent.DroneFlight(now.get(), drone, event));
   }
 
-  /** What is on its way found no room. */
+  /** Reports that datagrams were dropped because too many were in transit. */
   void dropped(long count) {
     events.accept(new SimEvent.WaitingDropped(now.get(), drone, count));
   }
 
-  void commandLost(Peer peer, String text, Phrase cause) {
-    events.accept(new SimEvent.CommandLost(now.get(), drone, peer, text, cause));
-  }
-
-  void replyLost(Peer peer, String text, Phrase cause) {
-    events.accept(new SimEvent.ReplyLost(now.get(), drone, peer, text, cause));
-  }
-
-  void operatorChanged(OperatorSession.Takeover takeover, int statePort) {
-    events.accept(
-        new SimEvent.OperatorChanged(
-            now.get(), drone, takeover.operator(), statePort, takeover.before()));
+  /**
+   * Reports the loss of a datagram. State lines are not reported, since ten of them are sent per
+   * second.
+   */
+  void lost(LinkDatagram datagram, Phrase cause) {
+    Peer peer = datagram.peer();
+    if (datagram.direction() == LinkDirection.COMMANDS) {
+      events.accept(new SimEvent.CommandLost(now.get(), drone, peer, datagram.text(), cause));
+    } else if (datagram.direction() == LinkDirection.REPLIES) {
+      events.accept(new SimEvent.ReplyLost(now.get(), drone, peer, datagram.text(), cause));
+    }
   }
 
   @Override
-  public void received(Peer peer, String text) {
-    events.accept(new SimEvent.CommandReceived(now.get(), drone, peer, text));
+  public void operatorChanged(OperatorSession.Takeover takeover, OperatorEndpoint link) {
+    events.accept(
+        new SimEvent.OperatorChanged(
+            now.get(), drone, takeover.operator(), link.statePort(), takeover.before()));
+  }
+
+  @Override
+  public void received(Request request) {
+    events.accept(new SimEvent.CommandReceived(now.get(), drone, request));
   }
 
   @Override
@@ -65,17 +85,17 @@ final class DroneEvents implements CommandObserver {
   }
 
   @Override
-  public void replied(Peer peer, String text, Reply reply) {
-    events.accept(new SimEvent.ReplySent(now.get(), drone, peer, text, reply));
+  public void replied(Request request, Reply reply) {
+    events.accept(new SimEvent.ReplySent(now.get(), drone, request, reply));
   }
 
   @Override
-  public void failed(Peer peer, String text, Reply reply, Phrase reason) {
-    events.accept(new SimEvent.CommandFailed(now.get(), drone, peer, text, reply, reason));
+  public void failed(Request request, Reply reply, Phrase reason) {
+    events.accept(new SimEvent.CommandFailed(now.get(), drone, request, reply, reason));
   }
 
   @Override
-  public void refused(Peer peer, String text, Reply reply, Phrase reason) {
-    events.accept(new SimEvent.CommandRefused(now.get(), drone, peer, text, reply, reason));
+  public void refused(Request request, Reply reply, Phrase reason) {
+    events.accept(new SimEvent.CommandRefused(now.get(), drone, request, reply, reason));
   }
 }

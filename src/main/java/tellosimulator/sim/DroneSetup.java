@@ -6,14 +6,16 @@ import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.SimConfig.StreamPorts;
 
 /**
- * What one drone starts from. Immutable.
+ * The initial setup of a drone. Immutable.
  *
- * @param start where it stands
- * @param product which drone, after which account
+ * @param start the drone's initial pose
+ * @param product the drone's product, with its reference model
  * @param streamPorts ports on the operator's host
  * @param batteryPercent 0 to 100
- * @param rgb colour of its cover, as one writes #rrggbb; empty for that of its number
- * @param landsWhenSilent whether it lands by itself when no command comes, as a real one does
+ * @param rgb the colour of the drone's cover, as in #rrggbb; empty for the default colour of the
+ *     drone's number
+ * @param landsWhenSilent whether the drone lands automatically if no commands arrive, as a real
+ *     drone does
  */
 public record DroneSetup(
     Pose start,
@@ -23,7 +25,7 @@ public record DroneSetup(
     OptionalInt rgb,
     boolean landsWhenSilent) {
 
-  /** One that lands by itself when no command comes. */
+  /** Creates the setup of a drone that lands automatically if no commands arrive. */
   public DroneSetup(
       Pose start,
       Product product,
@@ -40,7 +42,7 @@ public record DroneSetup(
     }
   }
 
-  /** A full one in the colour of its number. */
+  /** Returns the setup of a fully charged drone in the default colour of its number. */
   public static DroneSetup at(Pose start, Product product, StreamPorts streamPorts) {
     return new DroneSetup(start, product, streamPorts, 100, OptionalInt.empty());
   }
@@ -58,15 +60,15 @@ public record DroneSetup(
   }
 
   /**
-   * The same in another colour.
+   * Returns a copy in another colour.
    *
-   * @param newRgb as one writes #rrggbb; empty for that of its number
+   * @param newRgb as in #rrggbb; empty for the default colour of its number
    */
   public DroneSetup withColor(OptionalInt newRgb) {
     return new DroneSetup(start, product, streamPorts, batteryPercent, newRgb, landsWhenSilent);
   }
 
-  /** One that stays in the air however long no command comes. */
+  /** Returns a copy that stays in the air if no commands arrive. */
   public DroneSetup withoutSafetyLanding() {
     return new DroneSetup(start, product, streamPorts, batteryPercent, rgb, false);
   }

@@ -9,8 +9,9 @@ import tellosimulator.concurrent.Exceptions;
 import tellosimulator.time.SimTime;
 
 /**
- * Keeps what happens until the snapshot shows it, and tells the listeners then. What one of them
- * throws concerns nobody else. For the simulation thread but for {@link #listen}.
+ * Queues events until the snapshot includes their effects, then notifies the listeners of them. An
+ * exception in one listener does not affect the others. Confined to the simulation thread except
+ * for {@link #listen}.
  */
 final class EventDispatcher {
 
@@ -22,21 +23,23 @@ final class EventDispatcher {
   private final List<SimListener> listeners;
 
   /**
-   * @param listeners in the order in which they are told
+   * Creates a dispatcher.
+   *
+   * @param listeners in order of notification
    */
   EventDispatcher(List<SimListener> listeners) {
     this.listeners = new CopyOnWriteArrayList<>(listeners);
   }
 
-  /** Tells one more listener, after all others. For any thread. */
+  /** Adds a listener after all others. Thread-safe. */
   void listen(SimListener listener) {
     listeners.add(listener);
   }
 
-  /** Tells that an input is taken next. */
-  void taken(SimTime now, SimInput input) {
+  /** Notifies the listeners that an input is about to be applied. */
+  void onInput(SimTime now, SimInput input) {
     for (SimListener listener : listeners) {
-      guarded(LISTENER_FAILED, () -> listener.taken(now, input));
+      guarded(LISTENER_FAILED, () -> listener.onInput(now, input));
     }
   }
 
@@ -44,12 +47,12 @@ final class EventDispatcher {
     waiting.add(event);
   }
 
-  /** Forgets what nobody was told yet. */
+  /** Discards all queued events. */
   void clear() {
     waiting.clear();
   }
 
-  /** Tells what has happened since the last time. */
+  /** Notifies the listeners of all queued events. */
   void dispatch() {
     if (waiting.isEmpty()) {
       return;
@@ -63,10 +66,10 @@ final class EventDispatcher {
     }
   }
 
-  /** Tells that a step was completed. */
+  /** Notifies the listeners that a step is complete. */
   void stepped(SimSnapshot snapshot) {
     for (SimListener listener : listeners) {
-      try { // written out: this is done in each step, and costs a hundredth of it as a lambda
+      try { // not guarded(): a lambda here would take 1 % of a step's time
         listener.stepped(snapshot);
       } catch (Throwable e) {
         failed(LISTENER_FAILED, e);
@@ -74,7 +77,7 @@ final class EventDispatcher {
     }
   }
 
-  /** Carries something out; what it throws is logged, unless nothing can go on after it. */
+  /** Runs a task, and logs any exception except a fatal one, which is rethrown. */
   static void guarded(String failure, Runnable work) {
     try {
       work.run();
@@ -83,7 +86,10 @@ final class EventDispatcher {
     }
   }
 
-  /** A stack that overflowed, too, concerns one piece of work alone. */
+  /**
+   * Logs a failure, or rethrows it if it is fatal. A stack overflow is not fatal, because it ends
+   * only one task.
+   */
   private static void failed(String failure, Throwable e) {
     Exceptions.throwIfFatal(e);
     LOG.error("{}; please report this: {}", failure, e.toString(), e);

@@ -12,8 +12,8 @@ import tellosimulator.fault.LinkPreset;
 import tellosimulator.time.SimTime;
 
 /**
- * Lets the drones of a simulation, and people, know which faults act and how good the link is. For
- * the simulation thread.
+ * Applies the active faults and the link quality to the drones of a simulation, and reports when
+ * faults begin and end. Confined to the simulation thread.
  */
 final class FaultInjection implements FaultSchedule.Observer {
 
@@ -24,8 +24,10 @@ final class FaultInjection implements FaultSchedule.Observer {
   private Optional<LinkPreset> link;
 
   /**
-   * @param drones the list itself, in which drones may be replaced
-   * @param events takes what begins and ends
+   * Creates the fault injection for a simulation's drones.
+   *
+   * @param drones the live list; drones in it may be replaced
+   * @param events receives an event whenever a fault begins or ends
    */
   FaultInjection(
       FaultPlan plan, List<SimDrone> drones, Supplier<SimTime> now, Consumer<SimEvent> events) {
@@ -36,13 +38,13 @@ final class FaultInjection implements FaultSchedule.Observer {
     this.schedule = new FaultSchedule(plan, drones.size(), this);
   }
 
-  /** Lets all drones know, and begins what is to begin at once. */
+  /** Applies the link quality to all drones, and begins the faults that have no trigger. */
   void begin() {
     drones.forEach(this::disturb);
     advance();
   }
 
-  /** Begins and ends what is due. */
+  /** Begins and ends the faults that are due. */
   void advance() {
     schedule.advance(now.get());
   }
@@ -55,18 +57,21 @@ final class FaultInjection implements FaultSchedule.Observer {
     schedule.clear();
   }
 
-  /** The link of all drones from now on, whatever their behaviour is. */
+  /** Sets the link quality of all drones, and thus overrides the default of their behaviour. */
   void setLink(LinkPreset preset) {
     link = Optional.of(preset);
     drones.forEach(this::disturb);
   }
 
-  /** Lets one drone know. */
+  /** Applies the current faults and link quality to a drone. */
   void disturb(SimDrone drone) {
     drone.disturb(link, schedule.acting(drone.number()));
   }
 
-  /** Faults may wait for a command or for a takeoff, and begin anew when a drone is put back. */
+  /**
+   * Observes an event. A command or a takeoff can trigger faults. A reset restarts the faults of
+   * the plan.
+   */
   void observe(SimEvent event) {
     if (event instanceof SimEvent.CommandReceived command) {
       schedule.commanded(command.drone(), command.text(), now.get());

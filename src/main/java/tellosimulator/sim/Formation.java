@@ -9,7 +9,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.world.Room;
 
-/** The formation in which drones stand before they fly. */
+/** The formation in which drones stand before their flight. */
 public final class Formation {
 
   /** Distance between neighbours [m]. Decided. */
@@ -18,11 +18,11 @@ public final class Formation {
   private Formation() {}
 
   /**
-   * Drones side by side along y, the first one at the left, in as many rows behind each other as
-   * the room's width asks for; the middle of the first row is {@code middle}.
+   * Returns the starts of drones that stand side by side along y, the first one on the left. If the
+   * room is too narrow for all drones, the others stand in further rows behind the first.
    *
-   * @param middle on the floor, room frame [m]
-   * @throws IllegalArgumentException if they do not fit into the room
+   * @param middle the middle of the first row, on the floor, in the room frame [m]
+   * @throws IllegalArgumentException if the drones do not fit into the room
    */
   public static List<Pose> row(int drones, Vec3 middle, Room room) {
     int most = Math.max(1, mostSideBySide(middle, room));

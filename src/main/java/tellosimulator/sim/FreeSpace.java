@@ -8,15 +8,18 @@ import tellosimulator.world.Obstacles;
 import tellosimulator.world.Room;
 
 /**
- * Where a drone can fly without touching a wall, an obstacle or another drone, as things stand at
- * one moment. Immutable; for any thread.
+ * The space in which a drone can fly without touching a wall, an obstacle or another drone, as of
+ * one snapshot. Immutable.
  */
 public final class FreeSpace {
 
-  /** Air at obstacles and drones [m]. Measured: 2.5 cm of error a move, over several moves. */
+  /**
+   * Clearance from obstacles and drones [m]. It allows for the accumulated error of several moves.
+   * Measured: a move ends about 2.5 cm off its goal.
+   */
   private static final double AIR = 0.1;
 
-  /** Distance between two places of a path that are looked at [m]. */
+  /** Distance between two successive points at which a path is tested [m]. */
   private static final double STRIDE = 0.04;
 
   private static final Collider WITH_AIR =
@@ -27,7 +30,9 @@ public final class FreeSpace {
   private final List<Vec3> others;
 
   /**
-   * @param drone number of the drone that shall fly, from 1
+   * Creates the free space of a drone.
+   *
+   * @param drone the number of the drone that will fly, from 1
    */
   public FreeSpace(SimSnapshot snapshot, int drone) {
     room = snapshot.room();
@@ -39,7 +44,7 @@ public final class FreeSpace {
             .toList();
   }
 
-  /** Whether a drone can fly along a path [room frame, m]. */
+  /** Returns whether a path is free for the drone. The points are in the room frame [m]. */
   public boolean holds(List<Vec3> path) {
     for (int i = 1; i < path.size(); i++) {
       Vec3 way = path.get(i).minus(path.get(i - 1));

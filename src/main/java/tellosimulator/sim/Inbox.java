@@ -7,30 +7,34 @@ import java.util.Map;
 import java.util.Queue;
 
 /**
- * The queue of all that waits for the simulation: datagrams, and calls of the program itself, in
- * the order in which they came. Datagrams are bounded in all and for each sender, with a part that
- * only operators may fill, so that no flood keeps an operator out. For any thread.
+ * The queue of inputs to the simulation, in order of arrival. It contains datagrams, and calls by
+ * the program itself. The number of datagrams is limited, both in total and per sender. Part of the
+ * capacity is reserved for operators, so that a flood cannot lock them out. Thread-safe.
  */
 final class Inbox {
 
-  /** Datagrams that may wait; what comes on top is lost, as in a full socket buffer. */
+  /** Maximum number of waiting datagrams; further ones are lost, as with a full socket buffer. */
   private static final int CAPACITY = 4096;
 
-  /** The part of it that is kept for operators. */
+  /** Part of the capacity that is reserved for operators [datagrams]. */
   private static final int RESERVED = 1024;
 
-  /** Datagrams of one sender that may wait. Decided: some milliseconds of work. */
+  /**
+   * Maximum number of waiting datagrams per sender. Decided: handling this many takes a few
+   * milliseconds.
+   */
   private static final int MOST_OF_SENDER = 256;
 
-  /** Something that waits. */
+  /** A queued item. */
   sealed interface Item permits SimInput.Datagram, Call {}
 
   /**
-   * Something that the program itself wants to be done.
+   * A task submitted by the program itself.
    *
-   * @param failure what is said if it fails: the beginning of a sentence
-   * @param work what is done
-   * @param shown run when the snapshot shows it, or when it never will be done; must not throw
+   * @param failure the beginning of the log message on failure
+   * @param work the task
+   * @param shown a callback to run once the snapshot includes the effect, or once it is certain
+   *     that the task will never be run; must not throw
    */
   record Call(String failure, Runnable work, Runnable shown) implements Item {}
 
@@ -39,16 +43,16 @@ final class Inbox {
   private int datagrams;
   private volatile Runnable listener = () -> {};
 
-  /** Sets what is told whenever something has come, on the thread that brought it. */
+  /** Sets the callback to run after each arrival, on the thread that added the item. */
   void onCome(Runnable newListener) {
     listener = newListener;
   }
 
   /**
-   * Lets a datagram wait.
+   * Adds a datagram.
    *
-   * @param operator whether it comes from the host that operates the drone
-   * @return false if there is no room for it
+   * @param operator whether the datagram comes from the host that operates the drone
+   * @return false if there is no capacity for the datagram
    */
   boolean offer(SimInput.Datagram datagram, boolean operator) {
     boolean admitted = admit(datagram, operator);
@@ -68,7 +72,7 @@ final class Inbox {
     return true;
   }
 
-  /** Lets a call wait; there is always room for it. */
+  /** Adds a call. There is always capacity for calls. */
   void add(Call call) {
     synchronized (this) {
       waiting.add(call);
@@ -76,12 +80,12 @@ final class Inbox {
     listener.run();
   }
 
-  /** The next one, which goes on waiting; null if there is none. */
+  /** Returns the next item without removing it; null if there is none. */
   synchronized Item peek() {
     return waiting.peek();
   }
 
-  /** The next one, or null. */
+  /** Removes and returns the next item, or null. */
   synchronized Item poll() {
     Item next = waiting.poll();
     if (next instanceof SimInput.Datagram datagram) {

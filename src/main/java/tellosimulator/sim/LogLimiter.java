@@ -9,25 +9,25 @@ import tellosimulator.sim.SimEvent.FromPeer;
 import tellosimulator.time.TokenBucket;
 
 /**
- * Stands before a log and keeps floods out of it: of what hosts send in vain, and of replies that
- * are dropped, it passes on some events a second, and tells the others in sums. Called on the
- * simulation thread, in wall-clock time.
+ * Protects a log from floods of events about ineffective or dropped datagrams. The limiter forwards
+ * a few of these events per second of wall clock time, and counts the others. Called on the
+ * simulation thread.
  */
 public final class LogLimiter implements SimListener {
 
-  /** Hosts that have an account of their own. Assumed: more than any class has. */
+  /** Maximum number of accounts of individual hosts. Assumed: more than a school class needs. */
   private static final int MOST_HOSTS = 256;
 
-  /** Silence after which a host gives its account to another one [ns]. Decided. */
+  /** Time without events after which a host's account can be reused [ns]. Decided. */
   private static final long FORGOTTEN_AFTER_NANOS = 60_000_000_000L;
 
-  /** What is limited, and to how much. Decided. */
+  /** The limited kinds of events, each with its rate [events/s] and burst [events]. Decided. */
   private enum Kind {
-    /** Texts that are no commands. */
+    /** Texts that are not commands. */
     UNKNOWN(5, 40),
-    /** Those of somebody who does not operate the drone. */
+    /** Datagrams from hosts that do not operate the drone. */
     TURNED_AWAY(1, 1),
-    /** Replies that found no room. */
+    /** Datagrams that exceeded a capacity. */
     DROPPED(1, 1);
 
     private final double perSecond;
@@ -40,12 +40,13 @@ public final class LogLimiter implements SimListener {
   }
 
   /**
-   * Whose events are counted together.
+   * The key of an account.
    *
-   * @param host empty for all hosts that have no account of their own
+   * @param host the host; empty for the account that all other hosts share
    */
   private record Key(int drone, Optional<String> host, Kind kind) {}
 
+  /** The token bucket of a key, and the number of omitted events that are not yet reported. */
   private final class Account {
     private final TokenBucket bucket;
     private long omitted;
@@ -70,21 +71,25 @@ public final class LogLimiter implements SimListener {
   private final SimListener log;
   private final LongSupplier nanos;
 
-  /** The one that was used longest ago comes first. */
+  /** Accounts of individual hosts, least recently used first. */
   private final Map<Key, Account> accounts = new LinkedHashMap<>(16, 0.75f, true);
 
-  /** Those that are not for one host. */
+  /** Accounts shared by all hosts without an account of their own. */
   private final Map<Key, Account> shared = new LinkedHashMap<>();
 
   /**
-   * @param log is told what passes
+   * Creates a limiter that uses the wall clock.
+   *
+   * @param log receives the forwarded events
    */
   public LogLimiter(SimListener log) {
     this(log, TokenBucket.WALL_CLOCK);
   }
 
   /**
-   * @param nanos a clock that never goes back [ns]
+   * Creates a limiter with another clock.
+   *
+   * @param nanos a monotonic clock [ns]
    */
   LogLimiter(SimListener log, LongSupplier nanos) {
     this.log = log;
@@ -125,7 +130,7 @@ public final class LogLimiter implements SimListener {
     return accounts.computeIfAbsent(key, unseen -> new Account(kind));
   }
 
-  /** Whether there was an account that nobody has used for long. */
+  /** Removes the least recently used account if it has expired; returns whether it was removed. */
   private boolean forgetOne() {
     Map.Entry<Key, Account> oldest = accounts.entrySet().iterator().next();
     Account account = oldest.getValue();

@@ -7,16 +7,16 @@ import tellosimulator.model.Perception;
 import tellosimulator.sensor.PadDetector;
 import tellosimulator.time.SimTime;
 
-/** Updates what a drone sees of mission pads. For the simulation thread. */
+/** Updates a drone's perception of mission pads. Confined to the simulation thread. */
 final class PadSense {
 
   private final PadDetector detector = new PadDetector();
 
   /**
-   * Looks for pads at the end of a step, if it is time to.
+   * Detects mission pads at the end of a step, if a detection is due.
    *
-   * @param model takes what is seen
-   * @param blind whether a fault keeps it from seeing any
+   * @param model receives the detected pads
+   * @param blind whether a fault prevents detection
    */
   void sense(DroneModel model, SimTime now, boolean blind, CollisionWorld collisionWorld) {
     Perception before = model.perception();

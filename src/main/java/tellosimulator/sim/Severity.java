@@ -1,13 +1,16 @@
 package tellosimulator.sim;
 
-/** How much something that happened matters to people; the most important first. */
+/**
+ * The importance of an event to a reader of the log. The constants are in descending order of
+ * importance.
+ */
 public enum Severity {
-  /** The flight is over: a crash. */
+  /** The end of the flight: a crash. */
   ERROR,
-  /** Something went otherwise than was asked for. */
+  /** Something that needs attention, such as a refused command. */
   WARNING,
-  /** What one wants to read: commands, replies, flights, changes. */
+  /** Commands, replies, flight events, changes. */
   INFORMATION,
-  /** What comes by the dozen: reads and {@code rc}. */
+  /** Frequent commands: read commands and {@code rc}. */
   DETAIL
 }

@@ -5,24 +5,24 @@ import tellosimulator.controller.FlightEvent;
 import tellosimulator.words.Phrase;
 
 /**
- * Explains once why drones land by themselves as fast as possible, which surprises people. For the
- * simulation thread.
+ * The hint that explains why drones land automatically at time factor {@code max}. It is given only
+ * once, after the first such landing. Confined to the simulation thread.
  */
 final class SilenceHint {
 
   private boolean given;
 
   /**
-   * What is to be said after something happened.
+   * Returns the hint if an event calls for it.
    *
    * @param unlimited whether time passes as fast as possible
-   * @return empty if it was said already, or if there is nothing to explain
+   * @return the hint; empty if it has already been given, or does not apply
    */
   Optional<Phrase> after(SimEvent event, boolean unlimited) {
     boolean silence =
         event instanceof SimEvent.DroneFlight flight
             && flight.event() instanceof FlightEvent.LandsByItself landing
-            && landing.silence();
+            && landing.cause() == FlightEvent.LandingCause.SILENCE;
     if (!silence || !unlimited || given) {
       return Optional.empty();
     }

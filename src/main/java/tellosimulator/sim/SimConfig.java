@@ -18,43 +18,43 @@ import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
- * The initial configuration of a simulation. Immutable; for any thread.
+ * The initial configuration of a simulation. Immutable.
  *
- * @param arena in which they fly
+ * @param arena the arena in which the drones fly
  * @param drones in the order of their numbers
- * @param timeFactor how fast simulated time passes
- * @param seed of everything random
- * @param rules what holds for all drones
+ * @param timeFactor the speed of simulated time
+ * @param seed the seed of all randomness
+ * @param rules the rules for all drones
  */
 public record SimConfig(
     Arena arena, List<DroneSetup> drones, TimeFactor timeFactor, long seed, Rules rules) {
 
-  /** Which drone is simulated, after which account of it. */
+  /** A simulated product, with the reference model that it follows. */
   public record Product(Profile profile, Behavior behavior) {
 
-    /** An EDU, after the report. */
+    /** An EDU that behaves as described in the FHNW report. */
     public static final Product DEFAULT = new Product(Profile.EDU, Behavior.REPORT);
   }
 
-  /** Where on an operator's host state lines and video go. */
+  /** The ports of state lines and video on an operator's host. */
   public record StreamPorts(int statePort, int videoPort) {
 
-    /** Documented: SDK 1.3 User Guide. */
+    /** The ports of a real drone. Documented: SDK 1.3 User Guide. */
     public static final StreamPorts DEFAULT = new StreamPorts(8890, 11111);
   }
 
   /**
-   * What holds for all drones of a simulation.
+   * The rules for all drones of a simulation.
    *
-   * @param crashSpeed above which a touch is a crash [m/s]
-   * @param operators who may operate them
-   * @param faults what goes wrong
+   * @param crashSpeed the speed above which a contact is a crash [m/s]
+   * @param operators determines who may operate a drone
+   * @param faults the faults and the link quality
    */
   public record Rules(double crashSpeed, OperatorRule operators, FaultPlan faults) {
 
     /**
-     * The highest crash speed that can be chosen [m/s]. Decided: no drone gets there, so that no
-     * touch is a crash.
+     * The highest crash speed that can be set [m/s]. Decided: no drone reaches this speed, so at
+     * this setting no contact is a crash.
      */
     public static final double FASTEST_TOUCH = 20;
 
@@ -65,22 +65,25 @@ public record SimConfig(
       }
     }
 
-    /** As real drones crash, operated by who comes first, without faults. */
+    /**
+     * The default rules: drones crash as real ones do, the first sender operates a drone, and there
+     * are no faults.
+     */
     public static final Rules DEFAULT =
         new Rules(DroneSpec.CRASH_SPEED, OperatorRule.FIRST, FaultPlan.NONE);
 
-    /** The same with something else that goes wrong. */
+    /** Returns a copy with other faults. */
     public Rules withFaults(FaultPlan newFaults) {
       return new Rules(crashSpeed, operators, newFaults);
     }
 
-    /** The same with another crash speed. */
+    /** Returns a copy with another crash speed. */
     public Rules withCrashSpeed(double newCrashSpeed) {
       return new Rules(newCrashSpeed, operators, faults);
     }
   }
 
-  /** One EDU in the middle of the default room, in real time. */
+  /** The default configuration: one EDU in the middle of the default room, in real time. */
   public static final SimConfig DEFAULT =
       new SimConfig(
           Arena.DEFAULT,
@@ -96,7 +99,7 @@ public record SimConfig(
     }
   }
 
-  /** Drones of the default product, full, with the default ports. */
+  /** Returns the setups of fully charged drones of the default product with the default ports. */
   public static List<DroneSetup> alike(List<Pose> starts) {
     List<DroneSetup> alike = new ArrayList<>();
     for (Pose start : starts) {
@@ -105,18 +108,18 @@ public record SimConfig(
     return List.copyOf(alike);
   }
 
-  /** Where the drones stand, in the order of their numbers. */
+  /** Returns the starts of the drones, in the order of their numbers. */
   public List<Pose> starts() {
     return drones.stream().map(DroneSetup::start).toList();
   }
 
-  /** The same with all drones of another product. */
+  /** Returns a copy in which all drones have another product. */
   public SimConfig withProduct(Profile profile, Behavior behavior) {
     Product product = new Product(profile, behavior);
     return withEach(drone -> drone.withProduct(product));
   }
 
-  /** The same with all drones sending elsewhere. */
+  /** Returns a copy in which all drones send to other ports on the operator's host. */
   public SimConfig withStreamPorts(StreamPorts streamPorts) {
     return withEach(drone -> drone.withStreamPorts(streamPorts));
   }
@@ -125,7 +128,7 @@ public record SimConfig(
     return new SimConfig(arena, newDrones, timeFactor, seed, rules);
   }
 
-  /** Another room, with drones that are as the first one but for their starts. */
+  /** Returns a copy with another room, and with drones like the first one at other starts. */
   public SimConfig withRoom(Room room, List<Pose> starts) {
     DroneSetup first = drones.get(0);
     return withArena(arena.withRoom(room))
@@ -156,17 +159,19 @@ public record SimConfig(
     return withRules(new Rules(rules.crashSpeed(), newOperators, rules.faults()));
   }
 
-  /** The same with something else that goes wrong. */
+  /** Returns a copy with another fault plan. */
   public SimConfig withFaults(FaultPlan newFaults) {
     return withRules(rules.withFaults(newFaults));
   }
 
-  /** The same with faults and the link as it was. */
+  /** Returns a copy with other faults and the same link quality. */
   public SimConfig withFaults(List<Fault> newFaults) {
     return withFaults(rules.faults().withFaults(newFaults));
   }
 
-  /** The same with another link, whatever the behaviour of a drone is. */
+  /**
+   * Returns a copy with another link quality, which overrides the default of the drones' behaviour.
+   */
   public SimConfig withLink(LinkPreset newLink) {
     return withFaults(rules.faults().withLink(newLink));
   }

@@ -1,18 +1,16 @@
 package tellosimulator.sim;
 
-import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import tellosimulator.command.CommandHandler;
+import tellosimulator.command.DronePort;
+import tellosimulator.command.LinkDatagram;
 import tellosimulator.command.OperatorSession;
-import tellosimulator.command.Peer;
+import tellosimulator.command.ProtocolContext;
 import tellosimulator.command.Reply;
-import tellosimulator.command.ReplyPort;
 import tellosimulator.controller.ControllerContext;
 import tellosimulator.controller.DroneController;
 import tellosimulator.controller.FlightEvent;
-import tellosimulator.controller.ReadReplies;
 import tellosimulator.fault.ActiveFaults;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.FaultKind;
@@ -24,102 +22,70 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.Battery;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
-import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.physics.QuadcopterDynamics;
-import tellosimulator.physics.Setpoint;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sensor.Instruments;
 import tellosimulator.sensor.SeededNoise;
 import tellosimulator.sim.SimConfig.Rules;
-import tellosimulator.sim.SimConfig.StreamPorts;
-import tellosimulator.time.Demand;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.time.PendingWork;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
-import tellosimulator.world.Collision;
 import tellosimulator.world.Room;
 
-/** One drone with all its parts, and its share of each part of a step. */
+/**
+ * A drone with all its parts, and with a method for each phase of a step. Confined to the
+ * simulation thread.
+ */
 final class SimDrone {
 
   private final DroneSetup setup;
   private final Neighborhood neighborhood;
-  private final ReplyPort replies;
-  private final Profile profile;
-  private final Behavior behavior;
-  private final Instruments instruments;
+  private final DronePort port;
   private final DroneModel model;
   private final OperatorSession session;
-  private final DroneLink link;
-  private final CommandHandler handler;
+  private final RadioLink link;
   private final DroneController controller;
-  private final QuadcopterDynamics dynamics = new QuadcopterDynamics();
+  private final DroneProtocols protocols;
+  private final DroneBody body;
   private final DroneEvents events;
-  private final StateLines stateLines;
-  private final StateFaults stateFaults = new StateFaults();
   private final PadSense padSense = new PadSense();
   private SimTime now = SimTime.ZERO;
-  private Vec3 before;
-  private DroneState state;
 
   /**
-   * What all drones of a simulation share.
+   * The parts that all drones of a simulation share.
    *
-   * @param seed of everything random
-   * @param rules of the simulation
-   * @param collisionWorld what is around them
-   * @param states the way out for state lines
-   * @param events takes what happens
+   * @param seed the seed of all randomness
+   * @param rules the rules of the simulation
+   * @param collisionWorld the surroundings
+   * @param events receives all events
    */
   record Neighborhood(
-      long seed,
-      Rules rules,
-      CollisionWorld collisionWorld,
-      StatePort states,
-      Consumer<SimEvent> events) {}
+      long seed, Rules rules, CollisionWorld collisionWorld, Consumer<SimEvent> events) {}
 
   /**
-   * @param number from 1
+   * Creates a drone that is switched off.
+   *
+   * @param number the number of the drone, from 1
    */
-  SimDrone(int number, DroneSetup setup, ReplyPort replies, Neighborhood neighborhood) {
-    this(new DroneModel(number, setup.start()), setup, replies, neighborhood);
+  SimDrone(int number, DroneSetup setup, DronePort port, Neighborhood neighborhood) {
+    this(new DroneModel(number, setup.start()), setup, port, neighborhood);
     model.setBattery(new Battery(setup.batteryPercent() / 100));
   }
 
-  private SimDrone(
-      DroneModel model, DroneSetup setup, ReplyPort replies, Neighborhood neighborhood) {
+  private SimDrone(DroneModel model, DroneSetup setup, DronePort port, Neighborhood neighborhood) {
     int number = model.drone();
     this.model = model;
     this.setup = setup;
     this.neighborhood = neighborhood;
-    this.before = model.motion().position();
-    this.replies = replies;
-    this.profile = setup.product().profile();
-    this.behavior = setup.product().behavior();
-    this.events = new DroneEvents(number, () -> now, this::happened);
+    this.port = port;
+    Profile profile = setup.product().profile();
+    Behavior behavior = setup.product().behavior();
+    events = new DroneEvents(number, () -> now, this::happened);
     SeededNoise noise = new SeededNoise(neighborhood.seed(), number);
-    this.stateLines = new StateLines(behavior, noise);
-    this.instruments =
-        new Instruments(
-            behavior,
-            noise,
-            neighborhood.collisionWorld().echoes(number),
-            readings -> SensorFaults.applied(readings, faults()));
-    this.state = model.snapshot(now);
-    StreamPorts streamPorts = setup.streamPorts();
-    this.session =
-        new OperatorSession(
-            neighborhood.rules().operators(),
-            streamPorts.statePort(),
-            streamPorts.videoPort(),
-            replies::linked);
-    this.link =
-        new DroneLink(
-            new DroneLink.Ends(
-                number, replies, neighborhood.states(), this::handle, events, () -> now),
-            noise);
-    this.controller =
+    link = new RadioLink(port, this::receive, events, noise);
+    controller =
         new DroneController(
             new ControllerContext(
                 model,
@@ -127,83 +93,73 @@ final class SimDrone {
                 behavior,
                 neighborhood.rules().crashSpeed(),
                 setup.landsWhenSilent(),
-                session,
                 noise,
-                new ReadReplies(instruments, profile, number),
-                events::happened,
-                this::faults,
-                this::operatorChanged,
-                this::forgetLink));
-    this.handler =
-        CommandHandler.of(profile, behavior)
-            .target(controller)
-            .session(session)
-            .replies(link)
-            .observer(events)
-            .build();
+                events,
+                link::faults,
+                this::endSession));
+    session =
+        new OperatorSession(
+            neighborhood.rules().operators(),
+            setup.streamPorts().statePort(),
+            setup.streamPorts().videoPort(),
+            port::linked);
+    Instruments instruments =
+        new Instruments(
+            behavior,
+            noise,
+            neighborhood.collisionWorld().echoes(number),
+            readings -> SensorFaults.applied(readings, link.faults()));
+    protocols =
+        new DroneProtocols(
+            new ProtocolContext(
+                controller,
+                profile,
+                behavior,
+                instruments,
+                noise,
+                () -> model.snapshot(now),
+                link::faults,
+                session,
+                link,
+                events));
+    body = new DroneBody(model, controller);
   }
 
-  // --- step 1 ---
+  // --- datagrams ---
 
-  /** A datagram has come to its socket. */
-  void receive(SimInput.Datagram datagram) {
-    link.receive(datagram);
+  /** Returns the link through which datagrams reach the drone. */
+  RadioLink link() {
+    return link;
   }
 
-  /** Whether commands may come that are not in the inbox. */
-  boolean expectsCommands() {
-    return link.brings();
+  DroneProtocols protocols() {
+    return protocols;
   }
 
-  /** Takes the commands that have been on their way until now. */
+  /** Handles the commands whose delay is over. */
   void receiveDelayed() {
     link.deliverCommands(session.link().operator());
   }
 
-  private void handle(SimInput.Datagram datagram) {
-    Peer peer = datagram.peer();
-    String text = datagram.text();
+  private void receive(LinkDatagram datagram) {
     if (model.phase() == FlightPhase.OFF) {
-      events.ignored(peer, text, Phrase.of("the drone is off"));
+      protocols.ignore(datagram, Phrase.of("the drone is off"));
     } else {
-      handler.handle(peer, text, now);
-      stateLines.owe();
+      protocols.receive(datagram);
     }
   }
 
-  // --- step 2 ---
+  // --- controls and changes of the surroundings ---
 
   /**
-   * Lets other faults act from now on.
+   * Sets the active faults.
    *
-   * @param preset how good the link is otherwise; empty for that of its behaviour
+   * @param preset the link quality apart from faults; empty for the default of the drone's
+   *     behaviour
    */
   void disturb(Optional<LinkPreset> preset, List<Fault> acting) {
+    Behavior behavior = setup.product().behavior();
     link.set(new ActiveFaults(preset.orElseGet(() -> LinkPreset.usual(behavior)), acting));
-  }
-
-  private ActiveFaults faults() {
-    return link.faults();
-  }
-
-  /**
-   * Something sent to its operator did not arrive: the stream that nobody takes rests, and where it
-   * was a reply, the session ends.
-   */
-  void unreachable(InetSocketAddress destination) {
-    Optional<InetSocketAddress> operator = session.link().operator().map(Peer::address);
-    if (operator.filter(destination::equals).isPresent()) {
-      controller.endSession();
-      note(
-          Phrase.of(
-              "is free, because nobody takes its replies at %s:%d any more; `command` starts anew",
-              destination.getAddress().getHostAddress(), destination.getPort()));
-    } else if (destination.getPort() == session.link().statePort()
-        && operator
-            .map(InetSocketAddress::getAddress)
-            .equals(Optional.of(destination.getAddress()))) {
-      session.restState(now);
-    }
   }
 
   void apply(Control.ForDrone control, Room room) {
@@ -215,20 +171,12 @@ final class SimDrone {
       }
     } else if (control instanceof Control.Reset) {
       controller.reset();
-      handler.forgetCopies();
-      session.release();
-      settle(neighborhood.collisionWorld());
+      protocols.reset();
+      body.settle(neighborhood.collisionWorld());
     } else if (control instanceof Control.Land) {
-      controller.landByItself(Phrase.of("the program has ended"));
+      controller.landAtEndOfProgram();
     } else if (control instanceof Control.Release) {
-      Phrase free = Phrase.of("is free: who sends `command` next operates it");
-      note(
-          session
-              .link()
-              .operator()
-              .map(lost -> Phrase.of("%s; %s has lost it", free, lost.host()))
-              .orElse(free));
-      controller.endSession();
+      protocols.release();
     } else if (control instanceof Control.SetBattery battery) {
       model.setBattery(new Battery(battery.percent() / 100));
       note(Phrase.of("has %d %% of its battery now", model.battery().percent()));
@@ -238,7 +186,10 @@ final class SimDrone {
     }
   }
 
-  /** The same body as another product; itself, with a note, while it is on. */
+  /**
+   * Returns a copy of this drone with another product and other ports, at the same place. If this
+   * drone is on, logs that it was not changed, and returns this drone.
+   */
   SimDrone configured(Control.Configure change) {
     if (model.phase() != FlightPhase.OFF) {
       note(Phrase.of("was not changed, because it is on: switch it off first"));
@@ -247,7 +198,7 @@ final class SimDrone {
     Profile newProfile = change.product().profile();
     Behavior newBehavior = change.product().behavior();
     DroneSetup newSetup = setup.withProduct(change.product()).withStreamPorts(change.streamPorts());
-    SimDrone other = new SimDrone(model, newSetup, replies, neighborhood);
+    SimDrone other = new SimDrone(model, newSetup, port, neighborhood);
     other.plan(now);
     if (!change.product().equals(setup.product())) {
       other.note(
@@ -263,48 +214,25 @@ final class SimDrone {
     return other;
   }
 
-  /** Other things stand around it: what carried it may be gone, or something is where it is. */
+  /**
+   * Adapts to changed surroundings: the drone may have lost its support, or may overlap something.
+   */
   void lookAround(CollisionWorld collisionWorld) {
     model.moveInto(collisionWorld.arena().room());
-    settle(collisionWorld);
+    body.settle(collisionWorld);
   }
 
-  /** Lets a drone that rests fall, or move out of what it is in. */
-  private void settle(CollisionWorld collisionWorld) {
-    if (model.resting() && collisionWorld.unsettles(this)) {
-      model.setMotion(model.motion());
-    }
-  }
-
-  // --- what others ask ---
+  // --- queries ---
 
   int number() {
     return model.drone();
   }
 
-  Vec3 position() {
-    return model.motion().position();
+  DroneBody body() {
+    return body;
   }
 
-  Vec3 velocity() {
-    return model.motion().velocity();
-  }
-
-  /** Where it was at the beginning of the step. */
-  Vec3 before() {
-    return before;
-  }
-
-  boolean resting() {
-    return model.resting();
-  }
-
-  /** Distance along a ray to its body [m]; infinite if the ray misses it. */
-  double distanceAlong(Vec3 origin, Vec3 direction) {
-    return DroneSpec.COLLIDER.distance(position(), origin, direction);
-  }
-
-  // --- steps 3 to 9 ---
+  // --- phases of a step ---
 
   void plan(SimTime time) {
     now = time;
@@ -312,40 +240,15 @@ final class SimDrone {
     controller.plan(now);
   }
 
-  void integrate(Vec3 wind) {
-    before = position();
-    Setpoint setpoint = controller.setpoint();
-    if (model.resting() && setpoint instanceof Setpoint.MotorsOff) {
-      dynamics.rest();
-      return;
-    }
-    model.setMotion(dynamics.advance(model.motion(), setpoint, wind, SimTime.STEP));
-    model.setPushed(dynamics.pushed());
-  }
-
-  void collide(CollisionWorld collisionWorld) {
-    if (!model.resting()) {
-      collisionWorld.obstacle(this).ifPresent(this::stopBy);
-    }
-    if (!model.resting()) {
-      collisionWorld.surface(this).ifPresent(this::stopBy);
-    }
-  }
-
-  void stopBy(Collision collision) {
-    model.setMotion(model.motion().heldAt(collision.position(), collision.velocity()));
-    controller.touch(collision);
-  }
-
-  /** Looks for mission pads. */
+  /** Detects mission pads. */
   void sense(CollisionWorld collisionWorld) {
-    boolean blind = faults().find(FaultKind.PAD_BLIND).isPresent();
+    boolean blind = link.faults().find(FaultKind.PAD_BLIND).isPresent();
     padSense.sense(model, now, blind, collisionWorld);
   }
 
   void consume() {
     int before = model.battery().percent();
-    model.consume(SimTime.STEP, behavior.filmingEndurance());
+    model.consume(SimTime.STEP, setup.product().behavior().filmingEndurance());
     BatteryNotes.note(before, model.battery().percent()).ifPresent(this::note);
   }
 
@@ -353,46 +256,36 @@ final class SimDrone {
     controller.finish();
   }
 
-  SimSnapshot.DroneSnapshot publish() {
-    state = model.snapshot(now);
-    return new SimSnapshot.DroneSnapshot(
-        state, session.link(), setup.product(), model.start(), setup.rgb(), link.faults());
+  DroneSnapshot publish() {
+    return new DroneSnapshot(
+        model.snapshot(now),
+        session.link(),
+        setup.product(),
+        model.start(),
+        setup.rgb(),
+        link.faults());
   }
 
   void output() {
-    boolean expected = stateLines.owed();
-    if (stateLines.due(now) && session.wantsState(now)) {
-      stateFaults
-          .next(
-              faults(),
-              now,
-              () ->
-                  new StatePort.StateReport(
-                      state,
-                      instruments.read(state),
-                      state.perception().reading(),
-                      profile,
-                      session.link()))
-          .ifPresent(report -> link.send(report, expected));
-    }
+    protocols.output();
     controller.watchOver();
   }
 
-  /** Whether somebody waits for the answer to a command that takes time. */
+  /** Whether a client is waiting for the reply to a command that takes time. */
   boolean answers() {
     return controller.answers();
   }
 
-  /** Why time must pass for it. */
-  Demand demand() {
-    return stateLines.owed() || link.owes() ? Demand.DEBT : controller.demand();
+  /** Returns the reason why simulated time must pass for this drone. */
+  PendingWork demand() {
+    return protocols.hasPending() || link.hasPending() ? PendingWork.REPLY : controller.demand();
   }
 
   private void setStart(Pose start) {
     model.setStart(start);
     if (model.resting() && !controller.flying()) {
       controller.reset();
-      settle(neighborhood.collisionWorld());
+      body.settle(neighborhood.collisionWorld());
     }
   }
 
@@ -407,14 +300,8 @@ final class SimDrone {
     events.happened(new FlightEvent.Note(phrase));
   }
 
-  private void forgetLink() {
-    handler.powerOff();
+  private void endSession() {
+    protocols.powerOff();
     link.forget();
-    stateLines.end();
-  }
-
-  private void operatorChanged(OperatorSession.Takeover takeover) {
-    events.operatorChanged(takeover, session.link().statePort());
-    stateLines.begin(now);
   }
 }

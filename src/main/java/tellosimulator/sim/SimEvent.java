@@ -5,6 +5,7 @@ import java.util.Optional;
 import tellosimulator.command.CommandSyntax;
 import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
+import tellosimulator.command.Request;
 import tellosimulator.command.WireText;
 import tellosimulator.controller.FlightEvent;
 import tellosimulator.fault.Fault;
@@ -12,40 +13,43 @@ import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
- * Something that happened in the simulation, with its simulated time and in plain words. What is no
- * {@link ForDrone} concerns all drones. Immutable; for any thread.
+ * An event of the simulation, with its simulated time and a description in words. An event that is
+ * not a {@link ForDrone} concerns all drones. Immutable.
  */
 public interface SimEvent {
 
-  /** The end of the last step before it happened, or of the step in which it happened. */
+  /**
+   * Returns the time of the event: the end of the step in which it happened, or of the last step if
+   * it happened between steps.
+   */
   SimTime time();
 
-  /** For people, one line. */
+  /** Returns the one-line description. */
   Phrase phrase();
 
-  /** The same in English. */
+  /** Returns the description in English. */
   default String words() {
     return phrase().english();
   }
 
-  /** How much it matters to people; the same in every log. */
+  /** Returns the importance of the event to a user who reads a log. It is the same in all logs. */
   default Severity severity() {
     return Severity.INFORMATION;
   }
 
-  /** Something that concerns one drone. */
+  /** An event of one drone. */
   interface ForDrone extends SimEvent {
 
-    /** Its number, from 1. */
+    /** Returns the number of the drone, from 1. */
     int drone();
 
-    /** Whether the line is a clause about the drone, which lacks its subject: {@code took off}. */
+    /** Whether the description lacks the drone as its subject, as {@code took off} does. */
     default boolean lacksSubject() {
       return false;
     }
   }
 
-  /** Something that people should look at. */
+  /** An event that needs attention. */
   interface Warning extends SimEvent {
     @Override
     default Severity severity() {
@@ -53,28 +57,45 @@ public interface SimEvent {
     }
   }
 
-  /** Something about a text that a host sent. */
+  /** An event about a text that a host sent. */
   sealed interface FromPeer extends ForDrone {
     Peer peer();
 
-    /** The text without header, one character a byte (ISO-8859-1). */
+    /** Returns the text without header, one character per byte (ISO-8859-1). */
     String text();
   }
 
-  /** A command arrived; what becomes of it follows. */
-  record CommandReceived(SimTime time, int drone, Peer peer, String text) implements FromPeer {
+  /** An event about a text that a drone handled as a command. */
+  sealed interface OfCommand extends FromPeer {
+
+    /** Returns the command. */
+    Request request();
+
+    @Override
+    default Peer peer() {
+      return request().peer();
+    }
+
+    @Override
+    default String text() {
+      return request().text();
+    }
+  }
+
+  /** A command arrived. Its outcome follows in another event. */
+  record CommandReceived(SimTime time, int drone, Request request) implements OfCommand {
     @Override
     public Severity severity() {
-      return ofText(text);
+      return ofText(text());
     }
 
     @Override
     public Phrase phrase() {
-      return Phrase.of("`%s` from %s", WireText.printable(text), peer);
+      return Phrase.of("`%s` from %s", WireText.printable(text()), peer());
     }
   }
 
-  /** Something arrived that the drone does not react to. */
+  /** A text arrived that the drone ignores. */
   record CommandIgnored(SimTime time, int drone, Peer peer, String text, Phrase reason)
       implements FromPeer, Warning {
     @Override
@@ -83,45 +104,44 @@ public interface SimEvent {
     }
   }
 
-  /** A command was refused, and the drone said so. */
-  record CommandRefused(SimTime time, int drone, Peer peer, String text, Reply reply, Phrase reason)
-      implements FromPeer, Warning {
+  /** The drone refused a command, and its reply reports the refusal. */
+  record CommandRefused(SimTime time, int drone, Request request, Reply reply, Phrase reason)
+      implements OfCommand, Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of(
           "`%s` refused: %s; answered `%s`",
-          WireText.printable(text), reason, WireText.printable(reply.text()));
+          WireText.printable(text()), reason, WireText.printable(reply.text()));
     }
   }
 
-  /** A command was begun, but came to another end, and the drone said so. */
-  record CommandFailed(SimTime time, int drone, Peer peer, String text, Reply reply, Phrase reason)
-      implements FromPeer, Warning {
+  /** The drone began a command but could not complete it. Its reply reports the failure. */
+  record CommandFailed(SimTime time, int drone, Request request, Reply reply, Phrase reason)
+      implements OfCommand, Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of(
           "`%s` failed: %s; answered `%s`",
-          WireText.printable(text), reason, WireText.printable(reply.text()));
+          WireText.printable(text()), reason, WireText.printable(reply.text()));
     }
   }
 
-  /** A command was answered. */
-  record ReplySent(SimTime time, int drone, Peer peer, String text, Reply reply)
-      implements FromPeer {
+  /** The drone replied to a command. */
+  record ReplySent(SimTime time, int drone, Request request, Reply reply) implements OfCommand {
     @Override
     public Severity severity() {
-      return ofText(text);
+      return ofText(text());
     }
 
     @Override
     public Phrase phrase() {
       return Phrase.of(
           "`%s` answered `%s`",
-          WireText.printable(text), WireText.printable(reply.text().stripTrailing()));
+          WireText.printable(text()), WireText.printable(reply.text().stripTrailing()));
     }
   }
 
-  /** A command never arrived at the drone. */
+  /** A command was lost on its way to the drone. */
   record CommandLost(SimTime time, int drone, Peer peer, String text, Phrase cause)
       implements FromPeer, Warning {
     @Override
@@ -131,9 +151,9 @@ public interface SimEvent {
   }
 
   /**
-   * A reply never arrived where it was to go.
+   * A reply was lost on its way to the operator.
    *
-   * @param text of the reply
+   * @param text the text of the reply
    */
   record ReplyLost(SimTime time, int drone, Peer peer, String text, Phrase cause)
       implements FromPeer, Warning {
@@ -145,7 +165,7 @@ public interface SimEvent {
     }
   }
 
-  /** A fault acts on a drone from now on. */
+  /** A fault begins to affect a drone. */
   record FaultBegan(SimTime time, int drone, Fault fault) implements ForDrone, Warning {
     @Override
     public Phrase phrase() {
@@ -153,7 +173,7 @@ public interface SimEvent {
     }
   }
 
-  /** A fault acts on a drone no more. */
+  /** A fault no longer affects a drone. */
   record FaultEnded(SimTime time, int drone, Fault fault) implements ForDrone {
     @Override
     public Phrase phrase() {
@@ -162,9 +182,10 @@ public interface SimEvent {
   }
 
   /**
-   * Commands, replies or state lines found no room among those that wait for their time.
+   * Datagrams were dropped because the commands, replies or state lines in transit exceeded the
+   * capacity.
    *
-   * @param count how many, the oldest ones
+   * @param count the number of dropped datagrams; the oldest are dropped first
    */
   record WaitingDropped(SimTime time, int drone, long count) implements ForDrone, Warning {
     @Override
@@ -173,7 +194,7 @@ public interface SimEvent {
     }
   }
 
-  /** Something came from a host that does not operate the drone, and had no effect. */
+  /** A text from a host that does not operate the drone was rejected without effect. */
   record TurnedAway(SimTime time, int drone, Peer peer, String text, Phrase reason)
       implements FromPeer, Warning {
     @Override
@@ -183,7 +204,7 @@ public interface SimEvent {
   }
 
   /**
-   * Datagrams of a host were turned away before the drone saw them.
+   * Datagrams from a host were rejected before they reached the drone.
    *
    * @param host the sender's address
    */
@@ -196,9 +217,9 @@ public interface SimEvent {
   }
 
   /**
-   * Events about what a host sent in vain were left out of a log.
+   * Events about ineffective datagrams from a host were omitted from a log.
    *
-   * @param host the sender's address; empty if there are too many senders to name them
+   * @param host the sender's address; empty if the events concern many senders
    */
   record Omitted(SimTime time, int drone, Optional<String> host, long count)
       implements ForDrone, Warning {
@@ -210,9 +231,9 @@ public interface SimEvent {
   }
 
   /**
-   * State and video go to another host from now on.
+   * The drone has a new operator, and now sends state and video to that operator's host.
    *
-   * @param before who operated the drone until then, if anybody
+   * @param before the previous operator, if any
    */
   record OperatorChanged(SimTime time, int drone, Peer peer, int statePort, Optional<Peer> before)
       implements ForDrone {
@@ -236,7 +257,7 @@ public interface SimEvent {
     }
   }
 
-  /** Something happened to a drone, other than a command or a reply. */
+  /** A drone's flight event: neither a command nor a reply. */
   record DroneFlight(SimTime time, int drone, FlightEvent event) implements ForDrone {
     @Override
     public boolean lacksSubject() {
@@ -259,22 +280,23 @@ public interface SimEvent {
     }
   }
 
-  /** The world or its clock was changed. */
+  /** The world or its clock changed. */
   record WorldChanged(SimTime time, Phrase phrase) implements SimEvent {}
 
-  /** Everything began anew: time is 0, and no drone has been commanded yet. */
-  record Restarted(SimTime time) implements SimEvent {
+  /** A new run started: time is 0, and no drone has received any command. */
+  record RunStarted(SimTime time) implements SimEvent {
     @Override
     public Phrase phrase() {
-      return Phrase.of("the simulation begins anew");
+      return Phrase.of("the simulation starts again");
     }
   }
 
   /**
-   * Simulated time was left out, because the machine was too slow; no fault of the flight.
+   * Simulated time was skipped because the machine was too slow. The program that flies the drone
+   * is not the cause.
    *
-   * @param seconds how much, since it was told the last time [simulated s]
-   * @param clock with all that was lost since the start
+   * @param seconds the time skipped since the previous such event [simulated s]
+   * @param clock the clock, which includes all time lost since the start
    */
   record TimeLost(SimTime time, double seconds, SimSnapshot.Clock clock) implements SimEvent {
     @Override
@@ -283,7 +305,7 @@ public interface SimEvent {
     }
   }
 
-  /** The event as a line of a log: simulated time, drone, words. */
+  /** Returns the event as a line of a log: simulated time, drone, description. */
   default String line() {
     String who = this instanceof ForDrone one ? "drone " + one.drone() : "all";
     return String.format(Locale.ROOT, "%9.3f s  %s: %s", time().seconds(), who, words());

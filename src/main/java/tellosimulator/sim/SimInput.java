@@ -2,52 +2,59 @@ package tellosimulator.sim;
 
 import java.net.InetSocketAddress;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.words.Phrase;
 
 /**
- * Something that comes to a simulation from outside. A simulation is what its configuration and its
- * inputs make of it: the same inputs between the same steps have the same effects. Immutable; for
- * any thread.
+ * An input to a simulation from outside. The configuration and the inputs completely determine a
+ * simulation: the same inputs between the same steps have the same effects. Immutable.
  */
 public sealed interface SimInput {
 
-  /** An input that comes to one drone. */
+  /** An input to one drone. */
   sealed interface ForDrone extends SimInput {
-    /** Its number, from 1. */
+    /** Returns the number of the drone, from 1. */
     int drone();
   }
 
   /**
-   * An operator program sent something.
+   * A datagram from an operator program.
    *
-   * @param drone number of the drone that it came to, from 1
-   * @param text one character a byte (ISO-8859-1)
+   * @param drone the number of the receiving drone, from 1
+   * @param bytes the content, which must not be modified
    */
-  record Datagram(int drone, Peer peer, String text) implements ForDrone, Inbox.Item {}
+  @SuppressWarnings("ArrayRecordComponent") // never compared
+  record Datagram(int drone, Peer peer, byte[] bytes) implements ForDrone, Inbox.Item {
 
-  /** A person did something. */
+    /** Returns the bytes as a text, one character per byte (ISO-8859-1). */
+    public String text() {
+      return WireText.decode(bytes);
+    }
+  }
+
+  /** A control, for example by the simulation's user. */
   record Act(Control control) implements SimInput {}
 
   /**
-   * The network says that nothing receives where a drone had sent something.
+   * The network reported a destination of a drone as unreachable.
    *
-   * @param drone its number, from 1
+   * @param drone the number of the drone, from 1
    */
   record Unreachable(int drone, InetSocketAddress destination) implements ForDrone {}
 
   /**
-   * The network turned datagrams away before they came here.
+   * The network layer rejected datagrams before they reached the simulation.
    *
-   * @param drone number of the drone that they came to, from 1
-   * @param host who sent them
+   * @param drone the number of the drone to which they were sent, from 1
+   * @param host the host that sent them
    */
   record Dropped(int drone, String host, long count, Phrase reason) implements ForDrone {}
 
   /**
-   * People are told that the machine was too slow.
+   * A report that the machine was too slow.
    *
-   * @param seconds what was left out since they were told the last time [simulated s]
-   * @param all what was left out since the start [simulated s]
+   * @param seconds the time skipped since the previous report [simulated s]
+   * @param all the time skipped since the start [simulated s]
    */
   record TimeLost(double seconds, double all) implements SimInput {}
 }

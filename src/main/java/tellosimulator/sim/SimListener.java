@@ -3,21 +3,23 @@ package tellosimulator.sim;
 import tellosimulator.time.SimTime;
 
 /**
- * Is told what happens in a simulation. Called on the simulation thread, last in a step: it must be
- * quick, and must not throw. It may submit commands; they are taken in the next step.
+ * A listener that is notified of the inputs, events and steps of a simulation. Called on the
+ * simulation thread, at the end of a step or between two steps. Implementations must be quick and
+ * must not throw. They may submit commands, which are applied in the next step.
  */
 public interface SimListener {
 
   /**
-   * An input is taken next, between two steps; events that tell its effects follow.
+   * Called between two steps, before an input is applied. Events about the effects of the input
+   * follow.
    *
    * @param now the end of the last step
    */
-  default void taken(SimTime now, SimInput input) {}
+  default void onInput(SimTime now, SimInput input) {}
 
-  /** Something happened. */
+  /** Called after an event, once the snapshot includes its effects. */
   default void event(SimEvent event) {}
 
-  /** A step was completed. */
+  /** Called at the end of a step, after its events. */
   default void stepped(SimSnapshot snapshot) {}
 }

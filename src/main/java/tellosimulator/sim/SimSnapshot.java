@@ -2,7 +2,7 @@ package tellosimulator.sim;
 
 import java.util.List;
 import java.util.OptionalInt;
-import tellosimulator.command.Link;
+import tellosimulator.command.OperatorEndpoint;
 import tellosimulator.fault.ActiveFaults;
 import tellosimulator.math.Pose;
 import tellosimulator.model.DroneState;
@@ -14,39 +14,41 @@ import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
- * The whole simulation at the end of a step, and what was commanded since. Immutable; for any
- * thread.
+ * The state of the whole simulation at the end of a step, including the effects of commands applied
+ * since that step. Immutable.
  *
  * @param time the end of the step
- * @param clock how simulated time relates to the wall clock
- * @param arena the room with all that is in it
+ * @param clock the relation of simulated time to wall clock time
+ * @param seed the seed of all random numbers
+ * @param arena the room with its contents
  * @param drones in the order of their numbers
  */
-public record SimSnapshot(SimTime time, Clock clock, Arena arena, List<DroneSnapshot> drones) {
+public record SimSnapshot(
+    SimTime time, Clock clock, long seed, Arena arena, List<DroneSnapshot> drones) {
 
   public Room room() {
     return arena.room();
   }
 
-  /** What the room looks like. */
+  /** Returns the appearance of the room. */
   public Decor decor() {
     return arena.decor();
   }
 
-  /** The same moment with other drones. */
+  /** Returns a copy with other drones. */
   public SimSnapshot withDrones(List<DroneSnapshot> newDrones) {
-    return new SimSnapshot(time, clock, arena, newDrones);
+    return new SimSnapshot(time, clock, seed, arena, newDrones);
   }
 
   /**
-   * How simulated time relates to the wall clock.
+   * The relation of simulated time to wall clock time.
    *
-   * @param lostSeconds what was left out since the start, because the machine was too slow
+   * @param lostSeconds the time skipped since the start, because the machine was too slow
    *     [simulated s]
    */
   public record Clock(TimeFactor factor, boolean paused, double lostSeconds) {
 
-    /** Nothing is lost yet. */
+    /** Creates a clock without lost time. */
     public Clock(TimeFactor factor, boolean paused) {
       this(factor, paused, 0);
     }
@@ -67,35 +69,36 @@ public record SimSnapshot(SimTime time, Clock clock, Arena arena, List<DroneSnap
   /**
    * A drone and its link to an operator.
    *
-   * @param link where its state and video go
-   * @param product what it is
-   * @param start where a reset puts it
-   * @param rgb colour of its cover, as one writes #rrggbb; empty for that of its number
-   * @param faults what goes wrong with it
+   * @param link the operator to whose host the drone sends state and video
+   * @param product the drone's product and reference model
+   * @param start the drone's pose after a reset
+   * @param rgb the colour of the drone's cover, as in #rrggbb; empty for the default colour of its
+   *     number
+   * @param faults the faults that affect the drone
    */
   public record DroneSnapshot(
       DroneState state,
-      Link link,
+      OperatorEndpoint link,
       Product product,
       Pose start,
       OptionalInt rgb,
       ActiveFaults faults) {
 
-    /** Without faults, in the colour of its number. */
-    public DroneSnapshot(DroneState state, Link link, Product product, Pose start) {
+    /** Creates the snapshot of a drone without faults, in the default colour of its number. */
+    public DroneSnapshot(DroneState state, OperatorEndpoint link, Product product, Pose start) {
       this(state, link, product, start, OptionalInt.empty(), ActiveFaults.NONE);
     }
 
     /**
-     * The same drone in another colour.
+     * Returns a copy in another colour.
      *
-     * @param newRgb as one writes #rrggbb
+     * @param newRgb as in #rrggbb
      */
     public DroneSnapshot withColor(int newRgb) {
       return new DroneSnapshot(state, link, product, start, OptionalInt.of(newRgb), faults);
     }
 
-    /** The same drone in another state. */
+    /** Returns a copy with another drone state. */
     public DroneSnapshot withState(DroneState newState) {
       return new DroneSnapshot(newState, link, product, start, rgb, faults);
     }

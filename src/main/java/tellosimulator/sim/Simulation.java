@@ -3,118 +3,78 @@ package tellosimulator.sim;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.function.IntFunction;
+import tellosimulator.command.DronePort;
 import tellosimulator.command.OperatorRule;
 import tellosimulator.command.Peer;
-import tellosimulator.command.ReplyPort;
-import tellosimulator.math.Vec3;
-import tellosimulator.sim.SimDrone.Neighborhood;
 import tellosimulator.sim.SimSnapshot.Clock;
-import tellosimulator.sim.SimSnapshot.DroneSnapshot;
-import tellosimulator.time.Demand;
+import tellosimulator.time.PendingWork;
 import tellosimulator.time.SimTime;
-import tellosimulator.time.TimeFactor;
 import tellosimulator.words.Phrase;
-import tellosimulator.world.Arena;
-import tellosimulator.world.Room;
 
 /**
- * The simulation: a room with drones that moves on in fixed steps. It knows no wall clock, no
+ * The simulation: a room with drones, advanced in fixed steps. This class uses no wall clock, no
  * sockets and no window.
  *
- * <p>One thread owns it and calls {@link #drain} and {@link #step}: a {@link SimulationLoop}, or a
- * test that steps it. {@link #submit}, {@link #control} and {@link #snapshot} are for any thread.
+ * <p>One thread owns the simulation and calls {@link #drain} and {@link #step}: a {@link
+ * SimulationLoop}, or a test that steps it. {@link #submit}, {@link #control} and {@link #snapshot}
+ * are thread-safe.
  */
 public final class Simulation {
 
-  /** Datagrams that are taken between two steps at the most, so that a flood never stops time. */
+  /** Maximum number of datagrams handled between two steps, so that a flood cannot stop time. */
   private static final int MOST_AT_ONCE = 256;
 
   private static final String COMMAND_FAILED = "A command could not be handled";
 
   private final Inbox inbox = new Inbox();
 
-  /** Whom to tell that the snapshot shows what they wanted. */
+  /** Callbacks to run once the published snapshot includes their change. */
   private final List<Runnable> shown = new ArrayList<>();
 
-  private final List<SimDrone> drones = new ArrayList<>();
   private final EventDispatcher events;
-  private final IntFunction<ReplyPort> replies;
-  private final StatePort states;
+  private final IntFunction<DronePort> ports;
 
-  /** What is run once nothing is left that anybody waits for. */
+  /** Callbacks to run when the simulation becomes idle. */
   private final List<Runnable> onceStill = new ArrayList<>();
 
-  private CollisionWorld collisionWorld;
-  private volatile OperatorRule operators;
-  private FaultInjection faults;
-  private TimeDemand demand;
-  private SilenceHint hint;
-  private Clock clock;
-  private volatile SimTime now;
-  private volatile SimConfig config;
+  private volatile SimRun run;
   private volatile boolean untouched = true;
   private boolean commanded;
 
   private volatile SimSnapshot snapshot;
 
   /**
-   * @param replies gives the way out for the replies of the drone of a number
-   * @param states the way out for state lines
-   * @param listeners are told what happens, in this order
+   * Creates a simulation at time 0 with all drones off.
+   *
+   * @param ports supplies the port through which the drone with a given number sends
+   * @param listeners in order of notification
    */
-  public Simulation(
-      SimConfig config,
-      IntFunction<ReplyPort> replies,
-      StatePort states,
-      List<SimListener> listeners) {
-    this.replies = replies;
-    this.states = states;
+  public Simulation(SimConfig config, IntFunction<DronePort> ports, List<SimListener> listeners) {
+    this.ports = ports;
     this.events = new EventDispatcher(listeners);
-    begin(config);
+    run = new SimRun(config, ports, events);
     publish();
   }
 
-  private void begin(SimConfig newConfig) {
-    config = newConfig;
-    drones.clear();
-    collisionWorld = new CollisionWorld(config.arena(), drones, config.seed());
-    clock = new Clock(config.timeFactor(), false);
-    operators = config.rules().operators();
-    now = SimTime.ZERO;
-    demand = new TimeDemand(drones);
-    hint = new SilenceHint();
-    Neighborhood neighborhood =
-        new Neighborhood(config.seed(), config.rules(), collisionWorld, states, this::happened);
-    for (DroneSetup setup : config.drones()) {
-      int number = drones.size() + 1;
-      drones.add(new SimDrone(number, setup, replies.apply(number), neighborhood));
-    }
-    faults = new FaultInjection(config.rules().faults(), drones, () -> now, events::add);
-    faults.begin();
-  }
-
-  private void restart(SimConfig newConfig) {
-    for (SimDrone drone : drones) {
-      drone.apply(new Control.Power(drone.number(), false), collisionWorld.arena().room());
-    }
+  private void restart(SimConfig config) {
+    run.end();
     events.clear();
-    events.add(new SimEvent.Restarted(SimTime.ZERO)); // before the faults that begin with the run
-    begin(newConfig);
+    events.add(new SimEvent.RunStarted(SimTime.ZERO)); // before the faults that begin with the run
+    run = new SimRun(config, ports, events);
   }
 
   /**
-   * Hands over a datagram. For any thread; it is taken at the next step, or before it.
+   * Submits a datagram. It is handled between two steps, after all earlier inputs. Thread-safe.
    *
-   * @param drone its number, from 1
-   * @param text one character a byte (ISO-8859-1)
+   * @param drone the number of the drone, from 1
+   * @param bytes the content, which must not be modified afterwards
    * @return false if the inbox is full and the datagram was lost
    */
-  public boolean submit(int drone, Peer peer, String text) {
+  public boolean submit(int drone, Peer peer, byte[] bytes) {
     checkNumber(drone);
-    return inbox.offer(new SimInput.Datagram(drone, peer, text), operates(drone, peer));
+    return inbox.offer(new SimInput.Datagram(drone, peer, bytes), operates(drone, peer));
   }
 
   private boolean operates(int drone, Peer peer) {
@@ -122,12 +82,12 @@ public final class Simulation {
         .anyMatch(operator -> operator.host().equals(peer.host()));
   }
 
-  /** Hands over that nothing receives where a drone had sent something. For any thread. */
+  /** Reports that a destination of a drone is unreachable. Thread-safe. */
   public void unreachable(int drone, InetSocketAddress destination) {
     notice(new SimInput.Unreachable(drone, destination));
   }
 
-  /** Hands over that datagrams of a host were turned away before they came here. For any thread. */
+  /** Reports that the network layer rejected datagrams from a host. Thread-safe. */
   public void dropped(int drone, InetAddress host, long count, Phrase reason) {
     notice(new SimInput.Dropped(drone, host.getHostAddress(), count, reason));
   }
@@ -135,29 +95,30 @@ public final class Simulation {
   private void notice(SimInput.ForDrone input) {
     checkNumber(input.drone());
     inbox.add(
-        new Inbox.Call("What the network said could not be handled", () -> take(input), () -> {}));
+        new Inbox.Call(
+            "An input from the network could not be handled", () -> take(input), () -> {}));
   }
 
-  /** Who may operate the drones. For any thread. */
+  /** Returns the rule that determines who may operate the drones. Thread-safe. */
   public OperatorRule operators() {
-    return operators;
+    return run.config().rules().operators();
   }
 
   /**
-   * Hands over what a person does; it is taken after the commands that came before it. For any
-   * thread.
+   * Submits a control. It is applied after the commands that arrived before it. Thread-safe.
    *
-   * @throws IllegalArgumentException if there is no such drone, or another number of drones to
-   *     begin anew with
+   * @throws IllegalArgumentException if there is no such drone, or the configuration of a new run
+   *     has another number of drones
    */
   public void control(Control control) {
     control(control, () -> {});
   }
 
   /**
-   * The same.
+   * Submits a control, like {@link #control(Control)}, with a callback.
    *
-   * @param shown run on the owning thread when the snapshot shows it, or never will; must not throw
+   * @param shown a callback to run once the snapshot includes the change, or once it is certain
+   *     that it never will; run on the owning thread; must not throw
    */
   void control(Control control, Runnable shown) {
     check(control);
@@ -166,8 +127,8 @@ public final class Simulation {
   }
 
   /**
-   * Hands over that somebody wants to know when everything is done and shown that came before it,
-   * events included. For any thread.
+   * Submits a callback to run once everything submitted before it has been applied, published and
+   * reported to listeners. Thread-safe.
    *
    * @param done run on the owning thread; must not throw
    */
@@ -176,8 +137,8 @@ public final class Simulation {
   }
 
   /**
-   * Hands over something that is to be done once, when all commands that have come are carried out,
-   * their answers are given and nothing moves any more. For any thread.
+   * Submits a callback to run once all received commands have been carried out and answered, and
+   * nothing moves any more. Thread-safe.
    *
    * @param work run on the owning thread; must be quick
    */
@@ -186,14 +147,16 @@ public final class Simulation {
   }
 
   private void tellStill() {
-    if (!onceStill.isEmpty() && inbox.isEmpty() && demand() == Demand.NONE) {
+    if (!onceStill.isEmpty() && inbox.isEmpty() && demand() == PendingWork.NONE) {
       List<Runnable> told = List.copyOf(onceStill);
       onceStill.clear();
       told.forEach(work -> EventDispatcher.guarded("Who waits for rest cannot be told", work));
     }
   }
 
-  /** Tells everybody whose control waits that it will not be taken. Makes nothing new. */
+  /**
+   * Runs the callbacks of all queued calls without running the calls themselves. Allocates nothing.
+   */
   void abandon() {
     for (Inbox.Item item = inbox.poll(); item != null; item = inbox.poll()) {
       if (item instanceof Inbox.Call call) {
@@ -202,71 +165,71 @@ public final class Simulation {
     }
   }
 
-  /** Tells one more listener what happens, after all others. For any thread. */
+  /** Adds a listener after all others. Thread-safe. */
   public void listen(SimListener listener) {
     events.listen(listener);
   }
 
-  /** What it began from, now or the last time that it began anew. For any thread. */
+  /** Returns the configuration of the current run. Thread-safe. */
   public SimConfig config() {
-    return config;
+    return run.config();
   }
 
   /**
-   * Whether nothing was ever taken from outside that a flight depends on; that this machine is busy
-   * does not count. For any thread.
+   * Whether no input has been applied so far. Reports of lost time do not count, because they
+   * affect no flight. Thread-safe.
    */
   public boolean untouched() {
     return untouched;
   }
 
-  /** The latest completed step. For any thread. */
+  /** Returns the latest published state. Thread-safe. */
   public SimSnapshot snapshot() {
     return snapshot;
   }
 
-  /** The end of the step that is being made, or of the last one. For any thread. */
+  /** Returns the end of the current step or, between steps, of the last one. Thread-safe. */
   public SimTime time() {
-    return now;
+    return run.now();
   }
 
-  /** Why time must pass. For the owning thread. */
-  Demand demand() {
-    return demand.demand(now);
+  /** Returns the reason why simulated time must pass. Called on the owning thread. */
+  PendingWork demand() {
+    return run.demand().demand(run.now());
   }
 
-  /** Sets what {@link #submit} and {@link #control} call to wake the owning thread. */
+  /** Sets the callback with which {@link #submit} and {@link #control} wake the owning thread. */
   void onSubmit(Runnable newWake) {
     inbox.onCome(newWake);
   }
 
   Clock clock() {
-    return clock;
+    return run.clock();
   }
 
-  /** Whether a command has come since the start. For the owning thread. */
+  /** Whether a command has arrived since the start. Called on the owning thread. */
   boolean commanded() {
     return commanded;
   }
 
-  /** The next snapshot shows how much time was lost since the start [simulated s]. */
+  /** Sets the time lost since the start [simulated s]. The next snapshot will contain it. */
   void noteLost(double seconds) {
-    clock = clock.withLost(seconds);
+    run.noteLost(seconds);
   }
 
-  /** People are told that time was lost since they were told the last time [simulated s]. */
+  /** Reports the time lost since the last report [simulated s]. */
   void tellLost(double seconds) {
-    take(new SimInput.TimeLost(seconds, clock.lostSeconds()));
+    take(new SimInput.TimeLost(seconds, run.clock().lostSeconds()));
   }
 
-  /** Whether something is left that {@link #drain} did not take. */
+  /** Whether inputs remain that {@link #drain} has not handled. */
   boolean pending() {
     return !inbox.isEmpty();
   }
 
   /**
-   * Takes what has arrived, in its order, between two steps; replies that need no time go out at
-   * once.
+   * Handles the waiting inputs in order, between two steps. Sends at once the replies to commands
+   * that take no time.
    */
   public void drain() {
     try {
@@ -274,9 +237,11 @@ public final class Simulation {
       boolean changed = false;
       Inbox.Item next = inbox.peek();
       while (next instanceof Inbox.Call
-          || (next != null && datagrams < MOST_AT_ONCE && demand.open(now, clock))) {
+          || (next != null
+              && datagrams < MOST_AT_ONCE
+              && run.demand().open(run.now(), run.clock()))) {
         if (next instanceof Inbox.Call call) {
-          show(); // what happened until now happened where drones were before the call
+          show(); // earlier events refer to the state before the call
           take(call);
           show();
         } else {
@@ -304,16 +269,17 @@ public final class Simulation {
   }
 
   private void take(Inbox.Call call) {
-    shown.add(call.shown()); // which may fail for want of memory: then it waits on
+    shown.add(call.shown()); // first: if this runs out of memory, the call stays queued
     inbox.poll();
     EventDispatcher.guarded(call.failure(), call.work());
   }
 
   /**
-   * Takes what an earlier run took between the same two steps, at once. For the owning thread.
+   * Immediately applies an input that an earlier run received between the same two steps. Called on
+   * the owning thread.
    *
-   * @throws IllegalArgumentException if there is no such drone, or another number of drones to
-   *     begin anew with
+   * @throws IllegalArgumentException if there is no such drone, or the configuration of a new run
+   *     has another number of drones
    */
   public void repeat(SimInput input) {
     if (input instanceof SimInput.ForDrone forDrone) {
@@ -322,145 +288,54 @@ public final class Simulation {
       check(act.control());
     }
     drain();
-    show(); // as a call does: what happened until now happened before it
+    show(); // as for a call, publishes the events from before the input
     EventDispatcher.guarded(COMMAND_FAILED, () -> take(input));
     show();
     tellStill();
   }
 
-  /** Moves everything on by one step of {@link SimTime#STEP}. */
+  /** Advances everything by one step of {@link SimTime#STEP}. */
   public void step() {
     drain();
-    for (SimDrone drone : drones) {
-      if (drone.expectsCommands()) {
-        EventDispatcher.guarded(COMMAND_FAILED, drone::receiveDelayed);
-      }
-    }
-    now = now.next();
-    faults.advance();
-    for (SimDrone drone : drones) {
-      drone.plan(now);
-    }
-    Vec3 wind = collisionWorld.wind(now);
-    for (SimDrone drone : drones) {
-      drone.integrate(wind);
-    }
-    for (SimDrone drone : drones) {
-      drone.collide(collisionWorld);
-    }
-    DroneCollisions.resolve(drones);
-    for (SimDrone drone : drones) {
-      drone.consume();
-      drone.sense(collisionWorld);
-    }
-    for (SimDrone drone : drones) {
-      drone.finish();
-    }
+    run.advance();
     publish();
-    for (SimDrone drone : drones) {
-      drone.output();
-    }
+    run.output();
     events.dispatch();
     events.stepped(snapshot);
     tellStill();
   }
 
   private void take(SimInput input) {
-    untouched = untouched && input instanceof SimInput.TimeLost; // which is news alone
-    events.taken(now, input);
+    untouched = untouched && input instanceof SimInput.TimeLost; // such a report has no effect
+    SimTime now = run.now();
+    events.onInput(now, input);
     if (input instanceof SimInput.Datagram datagram) {
-      demand.taken(now);
       commanded = true;
-      drone(datagram.drone()).receive(datagram);
+      run.receive(datagram);
     } else if (input instanceof SimInput.Act act) {
       apply(act.control());
     } else if (input instanceof SimInput.Unreachable gone) {
-      drone(gone.drone()).unreachable(gone.destination());
+      run.unreachable(gone);
     } else if (input instanceof SimInput.Dropped dropped) {
       events.add(
           new SimEvent.DatagramsDropped(
               now, dropped.drone(), dropped.host(), dropped.count(), dropped.reason()));
     } else if (input instanceof SimInput.TimeLost lost) {
       noteLost(lost.all());
-      events.add(new SimEvent.TimeLost(now, lost.seconds(), clock));
+      events.add(new SimEvent.TimeLost(now, lost.seconds(), clock()));
     }
   }
 
   private void apply(Control control) {
-    if (control instanceof Control.Configure change) {
-      drones.set(change.drone() - 1, drone(change.drone()).configured(change));
-      faults.disturb(drone(change.drone()));
-    } else if (control instanceof Control.ForDrone forDrone) {
-      drone(forDrone.drone()).apply(forDrone, collisionWorld.arena().room());
-      if (control instanceof Control.SetBattery) {
-        passStep();
-      }
-    } else if (control instanceof Control.SetRoom change) {
-      Room room = change.room();
-      furnish(collisionWorld.arena().withRoom(room));
-      tell(
-          Phrase.of(
-              "the room is %.0f cm wide, %.0f cm deep and %.0f cm high now",
-              room.width() * 100, room.depth() * 100, room.height() * 100));
-    } else if (control instanceof Control.Furnish change) {
-      furnish(collisionWorld.arena().withObstacles(change.obstacles()).withPads(change.pads()));
-    } else if (control instanceof Control.SetWind change) {
-      furnish(collisionWorld.arena().withWind(change.wind()));
-    } else if (control instanceof Control.Decorate change) {
-      furnish(collisionWorld.arena().withDecor(change.decor()));
-    } else if (control instanceof Control.InjectFault injected) {
-      faults.inject(injected.fault());
-      passStep();
-    } else if (control instanceof Control.ClearFaults) {
-      faults.clear();
-    } else if (control instanceof Control.SetLink change) {
-      faults.setLink(change.link());
-      tell(Phrase.of("the link is %s now", change.link().option()));
-    } else if (control instanceof Control.Restart anew) {
-      restart(anew.config());
-    } else if (control instanceof Control.PassTime passing) {
-      demand.passUntil(now.plus(passing.seconds()));
-    } else if (control instanceof Control.Pause pause) {
-      clock = clock.withPaused(pause.paused());
-      tell(pause.paused() ? Phrase.of("time stands still") : Phrase.of("time goes on"));
-    } else if (control instanceof Control.SetTimeFactor change) {
-      TimeFactor factor = change.factor();
-      clock = clock.withFactor(factor);
-      tell(Phrase.of("the time factor is %s now", factor));
+    if (control instanceof Control.NewRun newRun) {
+      restart(newRun.config());
+    } else {
+      run.apply(control);
     }
-  }
-
-  /** Time passes for what acts at the end of the next step, such as a landing without battery. */
-  private void passStep() {
-    demand.passUntil(now.next());
-  }
-
-  private void furnish(Arena arena) {
-    collisionWorld.change(arena);
-    drones.forEach(drone -> drone.lookAround(collisionWorld));
   }
 
   private void publish() {
-    List<DroneSnapshot> states = new ArrayList<>(drones.size());
-    for (SimDrone drone : drones) {
-      states.add(drone.publish());
-    }
-    snapshot =
-        new SimSnapshot(now, clock, collisionWorld.arena(), Collections.unmodifiableList(states));
-  }
-
-  private void happened(SimEvent event) {
-    events.add(event);
-    faults.observe(event);
-    hint.after(event, clock.factor().unlimited()).ifPresent(this::tell);
-  }
-
-  private void tell(Phrase phrase) {
-    events.add(new SimEvent.WorldChanged(now, phrase));
-  }
-
-  private SimDrone drone(int number) {
-    return drones.get(number - 1);
+    snapshot = run.snapshot();
   }
 
   private void check(Control control) {
@@ -468,7 +343,7 @@ public final class Simulation {
       checkNumber(forDrone.drone());
     } else if (control instanceof Control.InjectFault injected) {
       injected.fault().target().drone().ifPresent(this::checkNumber);
-    } else if (control instanceof Control.Restart restart) {
+    } else if (control instanceof Control.NewRun restart) {
       int given = restart.config().drones().size();
       int most = snapshot.drones().size();
       if (given != most) {

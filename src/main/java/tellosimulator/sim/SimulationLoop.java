@@ -11,28 +11,28 @@ import tellosimulator.concurrent.Worker;
 import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.time.Pacer;
 
-/** Runs a simulation on a thread of its own, at the pace of its clock. */
+/** Runs a simulation on a thread of its own, at the pace that the simulation's clock sets. */
 public final class SimulationLoop implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(SimulationLoop.class);
 
-  /** How often {@link #carryOut} looks whether the thread has been stopped [ms]. */
+  /** Interval at which a waiting caller checks whether the thread has stopped [ms]. */
   private static final int PATIENCE_MS = 1000;
 
   private final Simulation simulation;
   private final Pacer pacer;
   private final Worker worker;
 
-  /** Starts at once. */
+  /** Starts the thread. */
   public SimulationLoop(Simulation simulation) {
     this.simulation = simulation;
     this.pacer = new Pacer(simulation.clock().factor());
     this.worker = Worker.start("sim", new DutyCycle());
     simulation.onSubmit(worker::wake);
-    worker.wake(); // for what was submitted in between
+    worker.wake(); // for inputs submitted before the callback was set
   }
 
-  /** Steps when it is time to, and takes what has arrived whenever it is woken. */
+  /** Performs a step when one is due, and handles inputs when woken. */
   private final class DutyCycle implements Agent {
 
     private final ErrorPolicy failed = ErrorPolicy.retry("A step of the simulation failed");
@@ -69,7 +69,10 @@ public final class SimulationLoop implements AutoCloseable {
     return simulation.pending();
   }
 
-  /** Time that was lost before the first command, while the program starts, is no loss. */
+  /**
+   * Reports lost time. Ignores the time that was lost before the first command, while the program
+   * was starting.
+   */
   private void tellLost() {
     if (!simulation.commanded()) {
       pacer.forgiveLoss();
@@ -91,10 +94,11 @@ public final class SimulationLoop implements AutoCloseable {
   }
 
   /**
-   * Hands over what a person does, and waits until the snapshot shows it. For any thread but that
-   * of the simulation. Does not wait for a simulation that was closed.
+   * Submits a control, and waits until the snapshot includes the change. Must not be called on the
+   * simulation thread. Does not wait if the simulation is closed.
    *
-   * @throws IllegalArgumentException if there is no such drone
+   * @throws IllegalArgumentException if there is no such drone, or the configuration of a new run
+   *     has another number of drones
    * @throws IllegalStateException if the simulation has ended because of an error
    */
   public void carryOut(Control control) {
@@ -104,9 +108,10 @@ public final class SimulationLoop implements AutoCloseable {
   }
 
   /**
-   * Waits until listeners know and the snapshot shows all that programs have seen of the drones
-   * until now: replies leave before listeners are told of them. For any thread but that of the
-   * simulation. Does not wait for a simulation that was closed.
+   * Waits until the snapshot includes everything that programs have seen of the drones so far, and
+   * until listeners have been notified of it. The wait is necessary because replies are sent before
+   * listeners are notified. Must not be called on the simulation thread. Does not wait if the
+   * simulation is closed.
    *
    * @throws IllegalStateException if the simulation has ended because of an error
    */
@@ -130,11 +135,11 @@ public final class SimulationLoop implements AutoCloseable {
   }
 
   /**
-   * Waits until all commands that have come are carried out, their answers are given and nothing
-   * moves any more. For any thread but that of the simulation.
+   * Waits until all received commands have been carried out and answered, and nothing moves any
+   * more. Must not be called on the simulation thread.
    *
-   * @param limit how long it waits at the most
-   * @return whether that came about
+   * @param limit the maximum time to wait
+   * @return false on timeout
    */
   public boolean awaitStill(Duration limit) throws InterruptedException {
     CountDownLatch still = new CountDownLatch(1);

@@ -2,18 +2,19 @@ package tellosimulator.sim;
 
 import java.util.List;
 import tellosimulator.sim.SimSnapshot.Clock;
-import tellosimulator.time.Demand;
+import tellosimulator.time.PendingWork;
 import tellosimulator.time.SimTime;
 
 /**
- * Why simulated time must pass, and whether a datagram may be taken before it has. For the
- * simulation thread.
+ * Determines why simulated time must pass, and whether it must pass before the next datagram is
+ * handled. Confined to the simulation thread.
  */
 final class TimeDemand {
 
   /**
-   * How long a datagram waits at the most for what earlier ones have caused [s]. Decided: longer
-   * than a drone takes to restart; some things never end, such as a landing on a hovering drone.
+   * Maximum time that a datagram waits for the effects of earlier datagrams to end [simulated s].
+   * Decided: longer than a drone takes to restart. The limit is needed because some effects never
+   * end, such as a landing on a hovering drone.
    */
   private static final double LONGEST_DEBT = 20;
 
@@ -22,32 +23,37 @@ final class TimeDemand {
   private SimTime passUntil = SimTime.ZERO;
 
   /**
-   * @param drones the list itself, in which drones may be replaced
+   * Creates the time demand of a simulation's drones.
+   *
+   * @param drones the live list; drones in it may be replaced
    */
   TimeDemand(List<SimDrone> drones) {
     this.drones = drones;
   }
 
-  /** A datagram is taken. */
+  /** Records that a datagram is handled now. */
   void taken(SimTime now) {
     lastTaken = now;
   }
 
-  /** Time must pass until then, whatever else happens. */
+  /** Requires time to pass until a given moment, whatever else happens. */
   void passUntil(SimTime moment) {
     passUntil = passUntil.isBefore(moment) ? moment : passUntil;
   }
 
-  /** Why time must pass now. */
-  Demand demand(SimTime now) {
-    Demand demand = now.isBefore(passUntil) ? Demand.DEBT : Demand.NONE;
+  /** Returns the reason why time must pass now. */
+  PendingWork demand(SimTime now) {
+    PendingWork demand = now.isBefore(passUntil) ? PendingWork.REPLY : PendingWork.NONE;
     for (SimDrone drone : drones) {
       demand = demand.or(drone.demand());
     }
-    return demand == Demand.DEBT && late(now) ? Demand.MOTION : demand;
+    return demand == PendingWork.REPLY && late(now) ? PendingWork.MOTION : demand;
   }
 
-  /** Whether what datagrams have caused takes longer than others can wait for. */
+  /**
+   * Whether the effects of earlier datagrams have lasted so long that other datagrams no longer
+   * wait for them.
+   */
   private boolean late(SimTime now) {
     return now.since(lastTaken) >= LONGEST_DEBT && !answers() && !now.isBefore(passUntil);
   }
@@ -62,12 +68,16 @@ final class TimeDemand {
   }
 
   /**
-   * Whether a datagram may be taken now. As fast as possible, when it comes tells nothing about
-   * simulated time, which runs until everything is over that the datagrams before it have caused:
-   * so the next one is taken at a moment that depends on these alone. Only while somebody waits for
-   * an answer anything is taken at once, because it may be meant to interrupt.
+   * Returns whether a datagram may be handled now. At time factor {@code max}, the wall clock time
+   * of a datagram's arrival has no relation to simulated time. Simulated time therefore runs until
+   * all effects of earlier datagrams are over, so that the moment at which the next datagram is
+   * handled depends on the earlier ones alone. However, while a client waits for a reply, every
+   * datagram is handled at once, because it may be meant as an interruption.
    */
   boolean open(SimTime now, Clock clock) {
-    return !clock.factor().unlimited() || clock.paused() || demand(now) != Demand.DEBT || answers();
+    return !clock.factor().unlimited()
+        || clock.paused()
+        || demand(now) != PendingWork.REPLY
+        || answers();
   }
 }

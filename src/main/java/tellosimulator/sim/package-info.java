@@ -1,9 +1,9 @@
 /**
- * The simulation as a whole: drones in a room, moved on in fixed steps by one thread.
+ * The simulation as a whole: drones in a room, advanced in fixed steps by one thread.
  *
- * <p>{@link tellosimulator.sim.Simulation} is the core; {@link tellosimulator.sim.SimulationLoop}
- * gives it a thread and a pace, tests step it instead. Commands and controls come in through one
- * inbox from any thread; snapshots and events go out. The package imports {@code controller} and
- * what that stands on. Sockets, files and windows are not its job.
+ * <p>{@link tellosimulator.sim.Simulation} is the core. {@link tellosimulator.sim.SimulationLoop}
+ * runs it on its own thread, paced by a clock; tests call its steps directly. Commands and controls
+ * enter through one inbox, from any thread. Snapshots and events are the output. The package
+ * imports {@code controller} and the packages below it. It does not use sockets, files or windows.
  */
 package tellosimulator.sim;

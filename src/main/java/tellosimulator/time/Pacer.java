@@ -6,29 +6,39 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
- * Decides when the next step may run, by the wall clock or as fast as the machine can.
+ * Decides when the next step may run: either by the wall clock, or as fast as the machine allows.
  *
- * <p>For the simulation thread only, but for {@link LockSupport#unpark}, with which any thread may
- * end {@link #await} early.
+ * <p>Confined to the simulation thread, but any thread may end {@link #await} early with {@link
+ * LockSupport#unpark}.
  */
 public final class Pacer {
 
-  /** Lateness that is caught up by hurrying; what is beyond is lost and told [ns]. Assumed. */
+  /** Maximum lateness that is made up for [ns]. Any excess is lost and reported. Assumed. */
   private static final long CATCH_UP_NANOS = 250_000_000;
 
   /**
-   * How long mere motion waits for the next command, as fast as possible [ns]. Decided: long beside
-   * what a program thinks between two commands, short for a person who looks on.
+   * Maximum time for which the pacer waits for the next command at unlimited speed, while something
+   * moves but no client waits [ns]. Decided: long compared with the computing time of a program
+   * between two commands, but short for a person watching.
    */
   private static final long PATIENCE_NANOS = 2_000_000_000;
 
-  /** What one wait takes away from the patience at the most, however long it was [ns]. */
+  /**
+   * Maximum part of {@link #PATIENCE_NANOS} that a single wait can use up, even if it takes longer
+   * because the process is suspended [ns].
+   */
   private static final long PATIENCE_SLICE_NANOS = 50_000_000;
 
-  /** Less than this is not told [simulated s]. Decided: a start on a busy machine loses as much. */
+  /**
+   * Minimum loss that is reported [simulated s]. Decided: a start on a busy machine loses about
+   * this much.
+   */
   private static final double WORTH_TELLING = 1;
 
-  /** Losses are told no more often than this [ns]. Decided: so that no log is full of them. */
+  /**
+   * Minimum time between reports of losses [ns]. Decided: long enough that reports do not fill a
+   * log.
+   */
   private static final long TELLING_NANOS = 60_000_000_000L;
 
   private final LongSupplier clock;
@@ -46,7 +56,9 @@ public final class Pacer {
   }
 
   /**
-   * @param clock of the wall [ns]; only differences mean something
+   * Creates a pacer with a given clock.
+   *
+   * @param clock a wall clock [ns], of which only differences are used
    */
   Pacer(TimeFactor factor, LongSupplier clock) {
     this.clock = clock;
@@ -68,20 +80,20 @@ public final class Pacer {
     dueNanos = clock.getAsLong();
   }
 
-  /** Lets time stand still, or go on from here. */
+  /** Pauses time, or resumes it from the current moment. */
   public void setPaused(boolean newPaused) {
     paused = newPaused;
     dueNanos = clock.getAsLong();
   }
 
   /**
-   * Whether a step may run now; if so, it is counted as run.
+   * Returns whether a step may run now, and counts it as run.
    *
-   * @param demand why the simulation needs time to pass, which counts as fast as possible only: for
-   *     a debt time passes at once; mere motion waits for the next command first, for two seconds
-   *     in which this process really ran
+   * @param demand supplies the reason why time must pass; evaluated only at unlimited speed. For a
+   *     pending reply, time passes at once. For mere motion, the pacer first waits up to two
+   *     seconds for the next command; time during which the process is suspended does not count
    */
-  public boolean stepDue(Supplier<Demand> demand) {
+  public boolean stepDue(Supplier<PendingWork> demand) {
     if (paused) {
       return false;
     }
@@ -105,22 +117,25 @@ public final class Pacer {
     lostSeconds += nanos * 1e-9 * factor.value();
   }
 
-  /** What has been given up since the start, because the machine was too slow [simulated s]. */
+  /**
+   * Returns the simulated time skipped since the start because the machine was too slow [simulated
+   * s].
+   */
   public double lostSeconds() {
     return lostSeconds;
   }
 
-  /** Counts what was given up until now as not lost: nothing of it mattered. */
+  /** Discards all losses so far, because they had no effect on a flight. */
   public void forgiveLoss() {
     lostSeconds = 0;
     toldSeconds = 0;
   }
 
   /**
-   * What of it is to be told to people now: nothing if it is less than a second, or if they were
-   * told less than a minute ago.
+   * Returns the loss to report now. There is none if the loss is less than a second, or if the last
+   * report was less than a minute ago.
    *
-   * @return what was lost since they were told the last time [simulated s]; empty if nothing was
+   * @return the time lost since the last report [simulated s]; empty if there is nothing to report
    */
   public OptionalDouble lossToTell() {
     if (lostSeconds - toldSeconds < WORTH_TELLING) {
@@ -136,15 +151,15 @@ public final class Pacer {
     return OptionalDouble.of(loss);
   }
 
-  private boolean demanded(Demand demand) {
-    waiting = demand == Demand.MOTION && patienceNanos > 0;
-    if (demand != Demand.MOTION) {
+  private boolean demanded(PendingWork demand) {
+    waiting = demand == PendingWork.MOTION && patienceNanos > 0;
+    if (demand != PendingWork.MOTION) {
       patienceNanos = PATIENCE_NANOS;
     }
-    return demand != Demand.NONE && !waiting;
+    return demand != PendingWork.NONE && !waiting;
   }
 
-  /** Blocks until a step is due by the wall clock, or until somebody unparks the thread. */
+  /** Blocks until a step is due by the wall clock, or the thread is unparked. */
   public void await() {
     if (factor.unlimited() && !paused && waiting) {
       awaitCommand();

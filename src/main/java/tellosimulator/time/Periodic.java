@@ -3,10 +3,10 @@ package tellosimulator.time;
 import java.util.function.DoubleSupplier;
 
 /**
- * Something that happens again and again in simulated time. For one thread.
+ * A periodic event in simulated time. Not thread-safe.
  *
- * <p>Due times are counted from due time to due time, so that the mean period does not depend on
- * the length of a step.
+ * <p>Each due time is computed from the previous one, so the mean period does not depend on the
+ * length of a step.
  */
 public final class Periodic {
 
@@ -14,15 +14,20 @@ public final class Periodic {
   private long dueNanos;
 
   /**
-   * @param start when it happens for the first time
-   * @param period asked after each time for the seconds to the next one; must be positive
+   * Creates a periodic event.
+   *
+   * @param start the first time
+   * @param period supplies the time from each event to the next one [s]; must be positive
    */
   public Periodic(SimTime start, DoubleSupplier period) {
     this.dueNanos = start.nanos();
     this.period = period;
   }
 
-  /** Whether it is due at {@code now}; if so, it is counted as done. Asked once a step. */
+  /**
+   * Returns whether the event is due at {@code now}. If so, counts the event as done. Called once
+   * per step.
+   */
   public boolean due(SimTime now) {
     if (now.nanos() < dueNanos) {
       return false;

@@ -21,12 +21,12 @@ public record SimTime(long nanos) implements Comparable<SimTime> {
     }
   }
 
-  /** The moment one step later. */
+  /** Returns the moment one step later. */
   public SimTime next() {
     return new SimTime(nanos + STEP_NANOS);
   }
 
-  /** The moment that is {@code seconds} later. */
+  /** Returns the moment that is {@code seconds} later. */
   public SimTime plus(double seconds) {
     return new SimTime(nanos + Math.round(seconds * 1e9));
   }
@@ -35,7 +35,9 @@ public record SimTime(long nanos) implements Comparable<SimTime> {
     return nanos * 1e-9;
   }
 
-  /** Seconds from {@code earlier} to this moment; negative if it is later. */
+  /**
+   * Returns the seconds from {@code earlier} to this moment; negative if {@code earlier} is later.
+   */
   public double since(SimTime earlier) {
     return (nanos - earlier.nanos) * 1e-9;
   }

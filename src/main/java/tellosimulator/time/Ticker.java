@@ -3,26 +3,29 @@ package tellosimulator.time;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Ticks at a fixed rate of the wall clock, for a thread that waits on it. Of ticks that are missed
- * one after another no more than three are made up for, as after a short halt of the whole machine.
+ * Provides ticks at a fixed rate of the wall clock to a thread that waits for them. Makes up for at
+ * most three consecutive missed ticks, for example after a short halt of the whole machine.
  *
- * <p>For one thread, but for {@link #wake} and {@link #nanos}, which are for any.
+ * <p>Not thread-safe, except for {@link #wake} and {@link #nanos}.
  */
 public final class Ticker {
 
-  /** Decided: so a halt of a tenth of a second costs nobody any of 30 pictures a second. */
+  /**
+   * Maximum number of missed ticks that are made up for. Decided: a halt of a tenth of a second
+   * then costs no frame at 30 frames per second.
+   */
   private static final int MADE_UP = 3;
 
   private volatile Thread owner = Thread.currentThread();
   private volatile boolean woken;
   private long due = System.nanoTime();
 
-  /** The wall clock [ns]; only differences mean something. */
+  /** Returns the wall clock time [ns]. Only differences are meaningful. */
   public long nanos() {
     return System.nanoTime();
   }
 
-  /** Lets the next tick come at once. */
+  /** Makes the next tick due at once. */
   public void restart() {
     due = System.nanoTime();
   }
@@ -30,8 +33,8 @@ public final class Ticker {
   /**
    * Waits for the next tick.
    *
-   * @param period from this tick to the one after it [ns]
-   * @return whether it came; false if somebody woke the thread before
+   * @param period the time from this tick to the next one [ns]
+   * @return whether the tick came; false if the thread was woken first
    */
   public boolean awaitTick(long period) {
     own();
@@ -49,12 +52,15 @@ public final class Ticker {
     return false;
   }
 
-  /** When the next tick is due [ns on {@link #nanos}]. */
+  /** Returns the time of the next tick [ns, on the clock of {@link #nanos}]. */
   public long due() {
     return due;
   }
 
-  /** Waits until a moment [ns on {@link #nanos}], whoever wakes the thread. */
+  /**
+   * Waits until a moment [ns, on the clock of {@link #nanos}], even if the thread is woken. Returns
+   * early if the thread is interrupted.
+   */
   public void pauseUntil(long moment) {
     for (long wait = moment - System.nanoTime(); wait > 0; wait = moment - System.nanoTime()) {
       LockSupport.parkNanos(this, wait);
@@ -64,9 +70,7 @@ public final class Ticker {
     }
   }
 
-  /**
-   * Waits until somebody wakes the thread; not at all if that has happened since it last waited.
-   */
+  /** Waits until the thread is woken. Returns at once if it has been woken since it last waited. */
   public void rest() {
     own();
     while (!woken && !Thread.currentThread().isInterrupted()) {
@@ -75,7 +79,7 @@ public final class Ticker {
     woken = false;
   }
 
-  /** Ends {@link #rest} or {@link #awaitTick}, now or the next time. */
+  /** Ends the current call of {@link #rest} or {@link #awaitTick}, or else the next one. */
   public void wake() {
     woken = true;
     LockSupport.unpark(owner);

@@ -1,21 +1,23 @@
 package tellosimulator.time;
 
 /**
- * How many simulated seconds pass in a second of the wall clock.
+ * The number of simulated seconds per second of wall clock time.
  *
- * @param value positive; infinite for as fast as the machine can
+ * @param value the factor; must be positive; infinite for as fast as the machine allows
  */
 public record TimeFactor(double value) {
 
   public static final TimeFactor REAL_TIME = new TimeFactor(1);
 
-  /** As fast as the machine can while something moves; time stands still otherwise. */
+  /**
+   * As fast as the machine allows while something moves; otherwise, simulated time stands still.
+   */
   public static final TimeFactor MAX = new TimeFactor(Double.POSITIVE_INFINITY);
 
   /** The smallest factor: a step takes half a second. */
   public static final double SMALLEST = 0.01;
 
-  /** The largest finite factor: a step takes a microsecond, which no machine reaches. */
+  /** The largest finite factor: a step takes a microsecond. No machine is that fast. */
   public static final double LARGEST = 5000;
 
   public TimeFactor {

@@ -2,13 +2,10 @@ package tellosimulator.time;
 
 import java.util.function.LongSupplier;
 
-/**
- * A token bucket: it lets a burst pass, and a steady rate after it. Not safe for several threads at
- * once.
- */
+/** A token bucket: it admits a burst, and then a steady rate. Not thread-safe. */
 public final class TokenBucket {
 
-  /** Never goes back [ns]. */
+  /** A monotonic clock [ns]. */
   public static final LongSupplier WALL_CLOCK = System::nanoTime;
 
   private final double perNano;
@@ -18,21 +15,21 @@ public final class TokenBucket {
   private long lastNanos;
 
   /**
-   * A full bucket, by the wall clock.
+   * Creates a full bucket that uses the wall clock.
    *
-   * @param perSecond tokens that come back [1/s]
-   * @param burst tokens that it holds at the most
+   * @param perSecond the refill rate [tokens/s]
+   * @param burst the capacity [tokens]
    */
   public TokenBucket(double perSecond, double burst) {
     this(perSecond, burst, WALL_CLOCK);
   }
 
   /**
-   * A full bucket.
+   * Creates a full bucket that uses a given clock.
    *
-   * @param perSecond tokens that come back [1/s]
-   * @param burst tokens that it holds at the most
-   * @param nanos a clock that never goes back [ns]
+   * @param perSecond the refill rate [tokens/s]
+   * @param burst the capacity [tokens]
+   * @param nanos a monotonic clock [ns]
    */
   public TokenBucket(double perSecond, double burst, LongSupplier nanos) {
     this.perNano = perSecond / 1e9;
@@ -42,7 +39,7 @@ public final class TokenBucket {
     this.lastNanos = nanos.getAsLong();
   }
 
-  /** Takes a token, if there is one. */
+  /** Takes a token if there is one; returns whether there was one. */
   public boolean tryTake() {
     long now = nanos.getAsLong();
     tokens = Math.min(capacity, tokens + (now - lastNanos) * perNano);

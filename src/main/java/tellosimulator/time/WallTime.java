@@ -9,10 +9,7 @@ import java.time.temporal.ChronoUnit;
 import java.util.Locale;
 import java.util.OptionalLong;
 
-/**
- * A moment of the wall clock, for people and for names of files. No flight depends on one.
- * Immutable; for any thread.
- */
+/** A moment of the wall clock, for display and file names. No flight depends on it. Immutable. */
 public final class WallTime {
 
   private static final DateTimeFormatter FOR_FILES =
@@ -26,34 +23,34 @@ public final class WallTime {
     this.nanos = nanos;
   }
 
-  /** This moment, in the machine's time zone. */
+  /** Returns the current moment, in the machine's time zone. */
   public static WallTime now() {
     return new WallTime(OffsetDateTime.now(ZoneId.systemDefault()), System.nanoTime());
   }
 
-  /** A clock that nobody puts right [ns]; only differences mean something. */
+  /** Returns the time of a clock that is never adjusted [ns]. Only differences are meaningful. */
   public static long nanoTime() {
     return System.nanoTime();
   }
 
   /**
-   * How long after this moment something was; negative if it was before [ms].
+   * Returns the time from this moment to another one [ms]; negative if the other one is earlier.
    *
-   * @param when on the clock of {@link #nanoTime}
+   * @param when the other moment, on the clock of {@link #nanoTime}
    */
   public long millisUntil(long when) {
     return Math.floorDiv(when - nanos, 1_000_000L);
   }
 
-  /** As ISO 8601 has it, to the second, with the distance from UTC. */
+  /** Formats the moment as ISO 8601, to the second, with the offset from UTC. */
   public String iso() {
     return DateTimeFormatter.ISO_OFFSET_DATE_TIME.format(moment.truncatedTo(ChronoUnit.SECONDS));
   }
 
   /**
-   * What {@link #iso} said.
+   * Parses a moment in the format of {@link #iso}.
    *
-   * @return microseconds since 1970, UTC; empty if the text is no such moment
+   * @return microseconds since the start of 1970, UTC; empty if the text does not have this format
    */
   public static OptionalLong micros(String iso) {
     try {
@@ -64,7 +61,7 @@ public final class WallTime {
     }
   }
 
-  /** In the name of a file, to the second; names are in the order of their moments. */
+  /** Formats the moment for a file name, to the second, so that names sort chronologically. */
   public String inFileName() {
     return FOR_FILES.format(moment);
   }

@@ -11,20 +11,19 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import tellosimulator.words.Translation;
 
 /**
- * The phrases of the simulation in another language. What is missing stays English. Immutable; for
- * any thread.
+ * The phrases of the simulation in another language. Phrases without a translation stay in English.
+ * Immutable.
  *
- * <p>A glossary is written in pairs of lines: {@code en:} and the English template, then the
- * language's code, a colon and the translation. Empty lines and those that begin with {@code #} say
- * nothing.
+ * <p>A glossary consists of pairs of lines: {@code en:} and the English template, then the
+ * language's code, a colon and the translation. Empty lines and lines that begin with {@code #} are
+ * ignored.
  */
 public final class PhraseCatalog implements Translation {
 
-  /** The languages that there are texts in, the fallback first. */
+  /** The languages offered to users; the first one is the fallback. */
   public static final List<Locale> OFFERED = List.of(Locale.ENGLISH, Locale.GERMAN);
 
   private static final String ENGLISH_MARK = "en: ";
@@ -37,7 +36,7 @@ public final class PhraseCatalog implements Translation {
     this.translations = Map.copyOf(translations);
   }
 
-  /** Of the offered languages the one that a person with this locale reads, English for others. */
+  /** Returns the offered language that matches a locale; English if none does. */
   public static Locale nearest(Locale wanted) {
     return OFFERED.stream()
         .filter(offered -> offered.getLanguage().equals(wanted.getLanguage()))
@@ -45,7 +44,7 @@ public final class PhraseCatalog implements Translation {
         .orElse(Locale.ENGLISH);
   }
 
-  /** The translation for a person with this locale. */
+  /** Returns the phrases in the offered language that matches a locale; English if none does. */
   public static Translation of(Locale wanted) {
     Locale locale = nearest(wanted);
     if (locale.equals(Locale.ENGLISH)) {
@@ -62,8 +61,8 @@ public final class PhraseCatalog implements Translation {
   /**
    * Reads a glossary.
    *
-   * @throws IllegalArgumentException naming the line that is no part of a pair, or what is
-   *     translated twice
+   * @throws IllegalArgumentException if a line is not part of a pair, or a text is translated
+   *     twice; the message contains the line or text
    */
   static PhraseCatalog read(Reader source, Locale locale) {
     List<String> lines =
@@ -90,7 +89,7 @@ public final class PhraseCatalog implements Translation {
     return line.substring(mark.length());
   }
 
-  /** What is translated, with its translation. */
+  /** Returns the translations by template. */
   Map<String, String> translations() {
     return translations;
   }
@@ -98,11 +97,6 @@ public final class PhraseCatalog implements Translation {
   @Override
   public String of(String template) {
     return translations.getOrDefault(template, template);
-  }
-
-  @Override
-  public Set<String> templates() {
-    return translations.keySet();
   }
 
   @Override

@@ -7,25 +7,36 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.jcodec.codecs.h264.io.model.SeqParameterSet;
+import tellosimulator.command.Packetizer;
 import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.picture.Picture;
 
 /**
- * Puts a drone's pictures together again from the datagrams of its stream, without decoding them:
- * each NAL unit begins a datagram, and ends with one that is shorter than the others. Where some
- * are lost, what is there of a slice is passed on, as decoders get it. For one thread.
+ * Reassembles a drone's pictures from the datagrams of its stream without decoding them. Each NAL
+ * unit begins with a new datagram, and ends with a datagram that is shorter than the others. If
+ * datagrams are lost, the rest of the slice is passed on, just as decoders receive it. Not
+ * thread-safe.
  */
 public final class ReceivedStream {
 
   private static final int START_CODE_LENGTH = 4;
 
-  /** Largest NAL unit; what is larger is no video [bytes]. Decided: a second at 16 Mbit/s. */
+  /**
+   * Maximum size of a NAL unit [bytes]; anything larger is not video. Decided: the data of one
+   * second at 16 Mbit/s.
+   */
   private static final int LARGEST = 2_000_000;
 
-  /** Largest width or height. Decided: twice that of the drone. */
+  /**
+   * Maximum width or height of a picture [pixels]. Decided: about twice the width of the drone's
+   * pictures.
+   */
   private static final int MOST_PIXELS = 2048;
 
-  /** Types of NAL units. Documented: H.264, table 7-1. */
+  /**
+   * Type of a NAL unit that contains a slice, except for slices of IDR pictures. Documented, like
+   * the types below: H.264, table 7-1.
+   */
   private static final int SLICE = 1;
 
   private static final int IDR_SLICE = 5;
@@ -38,22 +49,22 @@ public final class ReceivedStream {
   private Optional<byte[]> sps = Optional.empty();
   private Optional<byte[]> pps = Optional.empty();
 
-  /** As large as the sequence parameter set says; what is on it is not known. */
+  /** A blank picture with the size given in the sequence parameter set. */
   private Optional<Picture> canvas = Optional.empty();
 
   /**
-   * Has seen nothing yet.
+   * Creates a stream that has not received anything yet.
    *
-   * @param pictures takes those that are whole, beginning with an IDR picture
+   * @param pictures receives complete pictures, starting with an IDR picture
    */
   public ReceivedStream(Consumer<FilmedPicture> pictures) {
     this.pictures = pictures;
   }
 
   /**
-   * Takes the next datagram.
+   * Processes the next datagram.
    *
-   * @param nanos when it came, on any clock [ns]
+   * @param nanos time of arrival, on any clock [ns]
    */
   public void take(byte[] datagram, long nanos) {
     if (startsUnit(datagram)) {
@@ -63,7 +74,7 @@ public final class ReceivedStream {
     if (unit.size() > 0 || startsUnit(datagram)) {
       unit.writeBytes(datagram);
     }
-    if (datagram.length < Packets.FULL || unit.size() > LARGEST) {
+    if (datagram.length < Packetizer.FULL || unit.size() > LARGEST) {
       finish();
     }
   }
@@ -92,7 +103,7 @@ public final class ReceivedStream {
       }
       case SLICE -> film(false, List.of(bytes));
       default -> {
-        // nothing that a film needs
+        // not needed for a recording
       }
     }
   }
@@ -110,7 +121,9 @@ public final class ReceivedStream {
     canvas = same ? canvas : described;
   }
 
-  /** A picture of the size that a sequence parameter set says; empty if that is damaged. */
+  /**
+   * Returns a picture with the size given in a sequence parameter set; empty if the set is damaged.
+   */
   private static Optional<Picture> described(byte[] bytes) {
     int header = START_CODE_LENGTH + 1;
     try {
@@ -125,7 +138,7 @@ public final class ReceivedStream {
       return width > 0 && height > 0 && width <= MOST_PIXELS && height <= MOST_PIXELS
           ? Optional.of(new Picture(width, height))
           : Optional.empty();
-    } catch (RuntimeException e) { // it reads beyond the end
+    } catch (RuntimeException e) { // JCodec read beyond the end of the set
       return Optional.empty();
     }
   }
@@ -137,7 +150,7 @@ public final class ReceivedStream {
     }
   }
 
-  /** NAL units as they came, each with its start code. */
+  /** The NAL units as received, each with its start code. */
   private static final class ReceivedUnit implements AccessUnit {
 
     private final boolean idr;

@@ -1,7 +1,6 @@
 package tellosimulator.video;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,19 +16,19 @@ import tellosimulator.video.picture.Picture;
 import tellosimulator.words.Phrase;
 
 /**
- * A stream that is kept as an MP4 file, picture by picture as it is sent. It begins with the next
- * key picture, and ends when it is closed, when pictures get another size, or when the file cannot
- * be written. Each half second is written when it is over, so that at most the last second is
- * missing if the program is killed. For any thread.
+ * Records a stream as an MP4 file while its pictures are sent. The recording starts with the next
+ * key picture. It ends when it is closed, when the picture size changes, or when the file cannot be
+ * written. Each half second is written as soon as it is complete, so that at most the last second
+ * is missing if the program is killed. Thread-safe.
  */
 public final class Recording implements VideoWatcher, AutoCloseable {
 
-  /** How long the last picture is shown [ticks]. Decided: as at 30 pictures a second. */
+  /** Duration assigned to the last picture [ticks]. Decided: as at 30 pictures a second. */
   private static final int LAST = Mp4File.TIMESCALE / 30;
 
   /**
-   * How much is written at a time [ticks]. Decided: half of what may be lost, because pictures that
-   * a busy machine sends late come in bursts.
+   * Duration of a fragment [ticks]; each fragment is written in one piece. Decided: half of the
+   * acceptable loss of one second, because a busy machine sends pictures late and in bursts.
    */
   private static final long FRAGMENT = Mp4File.TIMESCALE / 2;
 
@@ -39,7 +38,7 @@ public final class Recording implements VideoWatcher, AutoCloseable {
   private final FileChannel channel;
   private final List<Sample> fragment = new ArrayList<>();
   private Optional<Mp4File> film = Optional.empty();
-  private Optional<Kept> kept = Optional.empty();
+  private Optional<BufferedUnit> kept = Optional.empty();
   private Optional<Phrase> failure = Optional.empty();
   private int width;
   private int height;
@@ -48,8 +47,9 @@ public final class Recording implements VideoWatcher, AutoCloseable {
   private int count;
   private boolean ended;
 
-  /** A picture whose duration is not known before the next one comes. */
-  private record Kept(ByteBuffer unit, boolean key, long ticks) {}
+  /** A picture whose duration is unknown until the next one arrives. */
+  @SuppressWarnings("ArrayRecordComponent") // never compared, and the bytes are never modified
+  private record BufferedUnit(byte[] unit, boolean key, long ticks) {}
 
   private Recording(Path file, FileChannel channel) {
     this.file = file;
@@ -57,9 +57,9 @@ public final class Recording implements VideoWatcher, AutoCloseable {
   }
 
   /**
-   * Begins a file, which must not exist yet.
+   * Creates a recording in a file that must not exist yet.
    *
-   * @throws IOException if it cannot be written
+   * @throws IOException if the file cannot be written
    */
   public static Recording to(Path file) throws IOException {
     return new Recording(file, Mp4File.create(file));
@@ -69,12 +69,14 @@ public final class Recording implements VideoWatcher, AutoCloseable {
     return file;
   }
 
-  /** How many pictures are in it. */
+  /** The number of recorded pictures. */
   public synchronized int pictures() {
     return count;
   }
 
-  /** Why it ended by itself; empty while it goes on, or if it was closed. */
+  /**
+   * The reason why the recording ended by itself; empty while it continues, and if it was closed.
+   */
   public synchronized Optional<Phrase> failure() {
     return failure;
   }
@@ -118,20 +120,20 @@ public final class Recording implements VideoWatcher, AutoCloseable {
       flush(film.get());
       fragmentBegun = ticks;
     }
-    ByteBuffer slice = unit(encoded, encoded.nalUnits() - 1);
-    kept = Optional.of(new Kept(slice, encoded.idr(), ticks));
+    byte[] slice = unit(encoded, encoded.nalUnits() - 1);
+    kept = Optional.of(new BufferedUnit(slice, encoded.idr(), ticks));
   }
 
-  /** A NAL unit without its start code. */
-  private static ByteBuffer unit(AccessUnit encoded, int unit) {
+  /** Returns a NAL unit without its start code. */
+  private static byte[] unit(AccessUnit encoded, int unit) {
     int start = encoded.start(unit) + START_CODE_LENGTH;
-    return ByteBuffer.wrap(Arrays.copyOfRange(encoded.bytes(), start, encoded.start(unit + 1)));
+    return Arrays.copyOfRange(encoded.bytes(), start, encoded.start(unit + 1));
   }
 
-  /** Adds the picture that was kept, which is shown until now, to those that are to be written. */
+  /** Adds the buffered picture to the fragment, with a duration up to now. */
   private void keep(long now) {
     if (kept.isPresent()) {
-      Kept picture = kept.get();
+      BufferedUnit picture = kept.get();
       kept = Optional.empty();
       int shown = Math.toIntExact(Math.max(1, now - picture.ticks));
       fragment.add(new Sample(picture.unit, picture.key, shown));
@@ -156,9 +158,10 @@ public final class Recording implements VideoWatcher, AutoCloseable {
   }
 
   /**
-   * Ends the file, which is deleted if there is no picture in it; does nothing if it has ended.
+   * Completes the file, or deletes it if it contains no pictures. Does nothing if the recording has
+   * already ended.
    *
-   * @throws IOException if the end cannot be written
+   * @throws IOException if the end of the file cannot be written
    */
   @Override
   public synchronized void close() throws IOException {
@@ -168,7 +171,7 @@ public final class Recording implements VideoWatcher, AutoCloseable {
     ended = true;
     try (channel) {
       if (film.isPresent()) {
-        keep(kept.map(Kept::ticks).orElse(0L) + LAST);
+        keep(kept.map(BufferedUnit::ticks).orElse(0L) + LAST);
         try (Mp4File written = film.get()) {
           flush(written);
         }

@@ -8,7 +8,7 @@ import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.camera.RenderCache;
 import tellosimulator.video.camera.SoftwareFrameSource;
 
-/** Creates software cameras that share a render cache. For any thread. */
+/** Creates software cameras that share a render cache. Thread-safe. */
 public final class SoftwareCameras implements Supplier<FrameSource> {
 
   private final SceneBuilder scenes = new SceneBuilder();
@@ -19,12 +19,12 @@ public final class SoftwareCameras implements Supplier<FrameSource> {
     this.optics = optics;
   }
 
-  /** What makes the scenes that they draw. */
+  /** The builder for the scenes that the cameras render. */
   public SceneBuilder scenes() {
     return scenes;
   }
 
-  /** One more camera; for one thread. */
+  /** Returns a new camera. The camera itself is not thread-safe. */
   @Override
   public FrameSource get() {
     return new SoftwareFrameSource(cache, optics, scenes::scene);

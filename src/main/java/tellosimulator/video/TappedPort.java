@@ -6,10 +6,10 @@ import tellosimulator.network.DatagramPort;
 import tellosimulator.network.WireTap;
 
 /**
- * A port whose datagrams somebody sees as they leave it.
+ * A port that reports each datagram it sends to a tap.
  *
- * @param drone its number, from 1
- * @param taps who sees them
+ * @param drone the drone's number, from 1
+ * @param taps supplies the current tap
  */
 record TappedPort(int drone, DatagramPort port, Supplier<WireTap> taps) implements DatagramPort {
 

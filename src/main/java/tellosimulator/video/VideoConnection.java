@@ -8,43 +8,44 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import tellosimulator.command.Link;
+import tellosimulator.command.OperatorEndpoint;
+import tellosimulator.command.Packetizer;
 import tellosimulator.network.DatagramPort;
 import tellosimulator.network.UdpPort;
 import tellosimulator.time.Ticker;
 
 /**
- * Sends a drone's video to its operator's host, from the drone's own address. Its socket is not
- * that of the commands, so that replies never wait behind a picture. For the drone's video thread.
+ * Sends a drone's video from the drone's address to the operator's host. Its socket is separate
+ * from the socket for commands, so that replies never wait behind a picture. Confined to the
+ * drone's video thread.
  */
 final class VideoConnection implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(VideoConnection.class);
 
-  /** Where the drone's video comes from. Measured: once, in SDK mode. */
+  /** Source port of a real drone's video. Measured once, in SDK mode. */
   private static final int DRONES_PORT = 62512;
 
-  /** How long another machine may take to say that nothing receives there [ns]. Decided. */
+  /**
+   * Maximum time to wait for a report from another machine that its port is unreachable [ns].
+   * Decided.
+   */
   private static final long ANSWER = 20_000_000;
 
-  /** How long it is not tried again where there was no socket [ns]. Decided. */
+  /** Time between attempts to open a socket after a failure [ns]. Decided. */
   private static final long RETRY = 1_000_000_000;
 
-  /** The way of a stream: from an address of the drone to a port of its operator's host. */
-  record Route(InetAddress from, InetSocketAddress to) {
+  /** The route of a stream, from an address of the drone to a port of the operator's host. */
+  record Route(InetAddress from, InetSocketAddress to, Packetizer packetizer) {
 
-    /** That of the operator; empty where there is none. */
-    static Optional<Route> of(Link link) {
-      return link.operator()
-          .map(
-              operator ->
-                  new Route(
-                      operator.via().getAddress(),
-                      new InetSocketAddress(operator.address().getAddress(), link.videoPort())));
+    /** Returns the route to the operator; empty if there is no operator. */
+    static Optional<Route> of(OperatorEndpoint link) {
+      return link.at(link.videoPort())
+          .map(peer -> new Route(peer.via().getAddress(), peer.address(), link.packetizer()));
     }
   }
 
-  /** Opens a connected socket, which can say that nothing receives where it sends. */
+  /** Opens a connected socket that notifies a listener if the destination is unreachable. */
   @FunctionalInterface
   interface Connector {
     DatagramPort connect(
@@ -65,11 +66,11 @@ final class VideoConnection implements AutoCloseable {
   private boolean untried;
 
   /**
-   * Opens nothing yet.
+   * Creates a connection without opening a socket.
    *
-   * @param unreachable is called when another machine says that nothing receives there
-   * @param faults what goes wrong on the way
-   * @param tapped lets somebody see what is sent through a port
+   * @param unreachable called when another machine reports its port as unreachable
+   * @param faults the faults that act on the datagrams
+   * @param tapped wraps a port so that the datagrams it sends can be tapped
    */
   VideoConnection(
       Ticker ticker, Runnable unreachable, VideoFaults faults, UnaryOperator<DatagramPort> tapped) {
@@ -90,11 +91,11 @@ final class VideoConnection implements AutoCloseable {
   }
 
   /**
-   * Sends the datagrams of a picture, spread over some time as the drone does, so that they do not
-   * overrun a receiver. After the first datagram ever to another machine it waits whether that says
-   * that nothing receives there.
+   * Sends the datagrams of a picture, spread over time as on the drone, so that they do not overrun
+   * a receiver. After the first datagram on a new connection to another machine, this method waits
+   * for a possible report that the port is unreachable.
    *
-   * @param nanos from the first datagram to the last [ns]
+   * @param nanos the time from the first datagram to the last [ns]
    */
   void send(List<byte[]> packets, Route route, long nanos) {
     Optional<DatagramPort> from = port(route);
@@ -141,7 +142,10 @@ final class VideoConnection implements AutoCloseable {
     retryNanos = ticker.nanos() + RETRY;
   }
 
-  /** A connected socket to another machine, which can say that nothing receives there. */
+  /**
+   * Opens a socket. A socket to another machine is connected, so that an unreachable port is
+   * detected.
+   */
   private Optional<DatagramPort> open(Route route, int port) {
     InetSocketAddress from = new InetSocketAddress(route.from(), port);
     try {

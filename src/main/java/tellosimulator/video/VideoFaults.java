@@ -1,34 +1,47 @@
 package tellosimulator.video;
 
 import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import tellosimulator.command.Packetizer;
 import tellosimulator.fault.ActiveFaults;
 import tellosimulator.fault.Corruption;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.FaultKind;
-import tellosimulator.fault.LinkChannel;
 import tellosimulator.fault.LinkDirection;
+import tellosimulator.fault.LossyChannel;
 import tellosimulator.network.DatagramPort;
 import tellosimulator.sensor.SeededNoise;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.SimTime;
+import tellosimulator.video.codec.AccessUnit;
 
 /**
- * What faults do to a drone's stream: which moment it shows, and which datagrams arrive. As the
- * stream does, it follows the wall clock; what it loses depends on how many datagrams came before.
- * For the drone's video thread.
+ * The faults of a drone's video stream. They determine which moment the stream shows, and which
+ * datagrams arrive. Like the stream, the faults follow the wall clock; losses depend on the number
+ * of earlier datagrams. Confined to the drone's video thread.
  */
 final class VideoFaults {
 
-  /** NAL units without which a decoder cannot begin. Documented: ITU-T H.264, table 7-1. */
+  /**
+   * Type of the NAL unit with the sequence parameter set. A decoder cannot start without this set.
+   * Documented: ITU-T H.264, table 7-1.
+   */
   private static final int SEQUENCE_PARAMETERS = 7;
 
+  /**
+   * Type of the NAL unit with the picture parameter set. A decoder cannot start without this set.
+   * Documented: ITU-T H.264, table 7-1.
+   */
   private static final int PICTURE_PARAMETERS = 8;
 
   private static final int UNIT_TYPE = 0x1f;
 
-  /** A datagram on its way. */
+  private static final int START_CODE_LENGTH = 4;
+
+  /** A datagram in transit. */
   private static final class Packet {
     private final DatagramPort port;
     private final InetSocketAddress to;
@@ -41,21 +54,23 @@ final class VideoFaults {
     }
   }
 
-  private final LinkChannel<Packet> channel;
+  private final LossyChannel<Packet> channel;
   private ActiveFaults faults = ActiveFaults.NONE;
   private Optional<SimSnapshot> frozen = Optional.empty();
   private SimTime before = SimTime.ZERO;
 
   VideoFaults(int drone) {
-    channel = new LinkChannel<>(new SeededNoise(0, drone), LinkDirection.VIDEO, new Delivery());
+    channel = new LossyChannel<>(new SeededNoise(0, drone), LinkDirection.VIDEO, new Delivery());
   }
 
-  /** Whether a drone sends no pictures though it says so. */
+  /**
+   * Returns whether a drone sends no video even though it replies {@code ok} to {@code streamon}.
+   */
   static boolean silent(ActiveFaults faults) {
     return faults.find(FaultKind.NO_VIDEO_IN_STATION_MODE).isPresent();
   }
 
-  /** Lets other faults act from now on. */
+  /** Sets the active faults. */
   void set(ActiveFaults newFaults) {
     if (!newFaults.equals(faults)) {
       faults = newFaults;
@@ -63,9 +78,12 @@ final class VideoFaults {
     }
   }
 
-  /** The moment that is filmed. */
+  /**
+   * Returns the snapshot to be rendered: the newest snapshot or, during a freeze, the snapshot with
+   * which the freeze began.
+   */
   SimSnapshot shown(SimSnapshot newest) {
-    if (newest.time().isBefore(before)) { // the simulation began anew
+    if (newest.time().isBefore(before)) { // the simulation has restarted
       channel.restart();
       frozen = Optional.empty();
     }
@@ -75,27 +93,28 @@ final class VideoFaults {
     return frozen.orElse(newest);
   }
 
-  /** What is sent of a picture. */
-  List<byte[]> sent(List<byte[]> packets) {
-    return faults.find(FaultKind.VIDEO_NO_PARAMETERS).isEmpty()
-        ? packets
-        : packets.stream().filter(packet -> !parameters(packet)).toList();
+  /** Returns the datagrams of a picture, without the parameter sets if a fault suppresses them. */
+  List<byte[]> packets(AccessUnit picture, Packetizer packetizer) {
+    boolean complete = faults.find(FaultKind.VIDEO_NO_PARAMETERS).isEmpty();
+    List<byte[]> packets = new ArrayList<>();
+    for (int i = 0; i < picture.nalUnits(); i++) {
+      ByteBuffer unit = picture.nalUnit(i);
+      if (complete || !parameters(unit)) {
+        packets.addAll(packetizer.packets(unit));
+      }
+    }
+    return packets;
   }
 
-  private static boolean parameters(byte[] packet) {
-    int start = 0;
-    while (start < packet.length && packet[start] == 0) {
-      start++;
-    }
-    boolean unit = start >= 2 && start + 1 < packet.length && packet[start] == 1;
-    int type = unit ? packet[start + 1] & UNIT_TYPE : 0;
+  private static boolean parameters(ByteBuffer unit) {
+    int type = unit.get(unit.position() + START_CODE_LENGTH) & UNIT_TYPE;
     return type == SEQUENCE_PARAMETERS || type == PICTURE_PARAMETERS;
   }
 
   /**
-   * Sends a datagram.
+   * Sends a datagram. An active fault may delay, damage or drop it.
    *
-   * @param nanos the wall clock [ns]
+   * @param nanos wall clock [ns]
    */
   void send(DatagramPort port, InetSocketAddress to, byte[] bytes, long nanos) {
     if (channel.clear()) {
@@ -106,20 +125,20 @@ final class VideoFaults {
   }
 
   /**
-   * Sends what is due.
+   * Sends the delayed datagrams that are due.
    *
-   * @param nanos the wall clock [ns]
+   * @param nanos wall clock [ns]
    */
   void deliver(long nanos) {
     channel.deliver(new SimTime(Math.max(0, nanos)));
   }
 
-  /** Forgets what is on its way. */
+  /** Discards the datagrams in transit. */
   void forget() {
     channel.forget();
   }
 
-  private static final class Delivery implements LinkChannel.Receiver<Packet> {
+  private static final class Delivery implements LossyChannel.Receiver<Packet> {
 
     @Override
     public void arrived(Packet packet) {
@@ -128,7 +147,7 @@ final class VideoFaults {
 
     @Override
     public void lost(Packet packet, Fault cause) {
-      // a hundred a second: the log would hold nothing else
+      // not logged: a hundred messages a second would fill the log
     }
 
     @Override

@@ -1,16 +1,16 @@
 package tellosimulator.video;
 
 /**
- * How a stream goes, over its last second. Immutable; for any thread.
+ * The figures of a stream over the last second. Immutable.
  *
  * @param framesPerSecond pictures a second
  * @param bitsPerSecond bits a second; 0 while nothing is encoded
- * @param filmMs to take a picture, on average [ms]
- * @param encodeMs to encode it, on average [ms]
+ * @param filmMs average time to render a picture [ms]
+ * @param encodeMs average time to encode a picture [ms]
  */
 public record VideoFigures(
     double framesPerSecond, double bitsPerSecond, double filmMs, double encodeMs) {
 
-  /** Nothing has been filmed yet. */
+  /** The figures before the first picture. */
   public static final VideoFigures NONE = new VideoFigures(0, 0, 0, 0);
 }

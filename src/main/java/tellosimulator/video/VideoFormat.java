@@ -3,26 +3,29 @@ package tellosimulator.video;
 import tellosimulator.model.VideoSettings;
 
 /**
- * What a stream is like.
+ * The format of a stream.
  *
- * @param width pixels
- * @param height pixels
+ * @param width width of the pictures [pixels]
+ * @param height height of the pictures [pixels]
  * @param framesPerSecond pictures a second
- * @param bitsPerSecond on average
- * @param downward whether the camera that looks at the floor films
+ * @param bitsPerSecond average bit rate [bit/s]
+ * @param downward whether the pictures come from the downward camera rather than the forward camera
  */
 record VideoFormat(
     int width, int height, int framesPerSecond, int bitsPerSecond, boolean downward) {
 
   /**
-   * Bit rate where none was asked for [bit/s]. Assumed: between the 1 Mbit/s that was measured on a
-   * still scene and the 4 Mbit/s of another capture.
+   * Bit rate if the operator requested none [bit/s]. Assumed: a value between the 1 Mbit/s measured
+   * for a still scene and the 4 Mbit/s of another capture.
    */
   private static final int AUTOMATIC = 2_500_000;
 
   private static final int MEGABIT = 1_000_000;
 
-  /** Documented: 960 by 720; measured: low is 648 by 478, the camera below gives 320 by 720. */
+  /**
+   * Returns the format for the drone's settings. Documented: the default format is 960 by 720
+   * pixels. Measured: the low setting gives 648 by 478 pixels, and the downward camera 320 by 720.
+   */
   static VideoFormat of(VideoSettings settings) {
     int bits = settings.megabits() == 0 ? AUTOMATIC : settings.megabits() * MEGABIT;
     int frames = settings.framesPerSecond();
@@ -38,7 +41,7 @@ record VideoFormat(
     return width == other.width && height == other.height;
   }
 
-  /** From picture to picture [ns]. */
+  /** The interval between pictures [ns]. */
   long period() {
     return 1_000_000_000L / framesPerSecond;
   }

@@ -3,24 +3,24 @@ package tellosimulator.video;
 import java.util.ArrayDeque;
 import java.util.Deque;
 
-/** Measures a stream. For one thread. */
+/** Measures the figures of a stream. Not thread-safe. */
 final class VideoMeter {
 
   private static final long WINDOW = 1_000_000_000L;
 
   /**
-   * A picture that was made.
+   * The measurements for one picture.
    *
-   * @param moment when [ns]
-   * @param bytes how large it is, 0 if it was not encoded
-   * @param film how long it took to take it [ns]
-   * @param encode how long it took to encode it [ns]
+   * @param moment when the picture was rendered [ns]
+   * @param bytes its encoded size [bytes]; 0 if it was not encoded
+   * @param film the time to render it [ns]
+   * @param encode the time to encode it [ns]
    */
   record Sample(long moment, int bytes, long film, long encode) {}
 
   private final Deque<Sample> samples = new ArrayDeque<>();
 
-  /** Counts a picture, and says how the last second went. */
+  /** Adds a picture and returns the figures of the last second. */
   VideoFigures count(Sample newest) {
     samples.addLast(newest);
     while (newest.moment - samples.getFirst().moment > WINDOW) {
@@ -47,7 +47,7 @@ final class VideoMeter {
         encode / 1e6 / samples.size());
   }
 
-  /** Forgets everything: a new stream begins. */
+  /** Resets the meter for a new stream. */
   void restart() {
     samples.clear();
   }

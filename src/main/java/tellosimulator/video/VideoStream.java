@@ -24,37 +24,40 @@ import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.picture.Picture;
 
 /**
- * One drone's video: a thread that takes the newest snapshot at each tick, films it, encodes it and
- * sends it; nothing is ever queued. It rests while nobody wants pictures, and after memory was not
- * enough for one, until somebody asks anew.
+ * The video of one drone. A thread takes the newest snapshot at each tick, renders it, encodes it
+ * and sends it; nothing is ever queued. The thread is idle while no pictures are requested. After
+ * running out of memory, it is idle until the next request.
  *
- * <p>{@link #watch}, {@link #ignore} and {@link #wake} are for any thread.
+ * <p>{@link #watch}, {@link #ignore} and {@link #wake} are thread-safe.
  */
 public final class VideoStream implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(VideoStream.class);
 
-  /** Longest time over which the datagrams of a picture are spread [ns]. Decided. */
+  /** Maximum time over which the datagrams of a picture are spread [ns]. Decided. */
   private static final long SPREAD = 16_000_000;
 
-  /** Part of the free time until the next picture that may be used for it. Decided. */
+  /**
+   * Maximum time over which the datagrams of a picture are spread, as a fraction of the time
+   * remaining until the next picture. Decided.
+   */
   private static final double SPREAD_SHARE = 0.8;
 
   /**
-   * Time from datagram to datagram where none is free [ns]. Decided: a machine that is busy with
-   * filming must not overrun the receiver on it.
+   * Interval between datagrams if no time remains [ns]. Decided: a machine busy with rendering must
+   * not overrun a receiver that runs on the same machine.
    */
   private static final long LEAST_SPREAD = 100_000;
 
-  /** From look to look between two tries [ns]. Decided. */
+  /** Interval between checks of whether to try to send again [ns]. Decided. */
   private static final long LOOK_PERIOD = 100_000_000;
 
-  /** From picture to picture while people look and nobody takes the stream [ns]. Decided. */
+  /** Interval between pictures for watchers while the stream is not sent [ns]. Decided. */
   private static final long PREVIEW_PERIOD = 100_000_000;
 
   private final int drone;
   private final Supplier<SimSnapshot> snapshots;
-  private final Supplier<Film> films;
+  private final Supplier<FramePipeline> films;
   private final Ticker ticker = new Ticker();
   private final Reachability reachability = new Reachability(ticker::nanos);
   private final VideoFaults faults;
@@ -64,61 +67,67 @@ public final class VideoStream implements AutoCloseable {
   private final Worker worker;
   private volatile boolean starved;
 
-  /** Whether the simulation has begun anew since the last picture. */
-  private volatile boolean anew;
+  /** Whether the simulation has restarted since the last picture. */
+  private volatile boolean restarted;
 
-  /** The step at which the newest stream begins. */
+  /** The snapshot with which the newest stream starts. */
   private volatile Optional<SimSnapshot> beginning = Optional.empty();
 
-  /** Which of the operator's requests that is; for the simulation thread. */
+  /**
+   * The number of the start request to which {@link #beginning} belongs. Confined to the simulation
+   * thread.
+   */
   private int announced;
 
-  /** Whether somebody looks who has seen no picture yet. */
+  /** Whether a watcher has been added since the last preview. */
   private volatile boolean unseen;
 
-  /** What the last picture showed, if it was only for those who look. */
+  /** The content of the last picture, if it was rendered for watchers only. */
   private Optional<Seen> shown = Optional.empty();
 
   private int starvedAt;
   private int start;
 
-  private Wish last = Wish.NOTHING;
-  private Optional<Film> begun = Optional.empty();
+  private StreamDemand last = StreamDemand.NOTHING;
+  private Optional<FramePipeline> begun = Optional.empty();
 
   /**
-   * Who wants pictures.
+   * Describes which pictures are needed now.
    *
-   * @param sent whether they are to be sent
-   * @param encoded whether they are to be encoded
-   * @param seen whether they are to be taken
-   * @param route where to
-   * @param start which of the operator's requests asked for it
+   * @param sent whether pictures must be sent
+   * @param encoded whether pictures must be encoded
+   * @param seen whether pictures must be rendered
+   * @param route the route of the datagrams
+   * @param start the number of times that {@code streamon} has started the video
    */
-  private record Wish(
+  private record StreamDemand(
       boolean sent, boolean encoded, boolean seen, Optional<Route> route, int start) {
-    static final Wish NOTHING = new Wish(false, false, false, Optional.empty(), 0);
+    static final StreamDemand NOTHING = new StreamDemand(false, false, false, Optional.empty(), 0);
   }
 
-  /** What a frame shows, and in which format. */
+  /** The content and format of a frame. */
   private record Seen(CameraView view, VideoFormat format) {}
 
   /**
-   * Starts to rest at once.
+   * Creates a stream that is idle at first.
    *
-   * @param films creates what renders and encodes; called on the stream's thread
+   * @param films creates the frame pipeline; called on the stream's thread
    */
-  VideoStream(int drone, Supplier<SimSnapshot> snapshots, Supplier<Film> films) {
+  VideoStream(int drone, Supplier<SimSnapshot> snapshots, Supplier<FramePipeline> films) {
     this(drone, snapshots, films, () -> WireTap.NONE);
   }
 
   /**
-   * Starts to rest at once.
+   * Creates a stream that is idle at first.
    *
-   * @param films creates what renders and encodes; called on the stream's thread
-   * @param taps who sees what is sent
+   * @param films creates the frame pipeline; called on the stream's thread
+   * @param taps supplies the tap for sent datagrams
    */
   VideoStream(
-      int drone, Supplier<SimSnapshot> snapshots, Supplier<Film> films, Supplier<WireTap> taps) {
+      int drone,
+      Supplier<SimSnapshot> snapshots,
+      Supplier<FramePipeline> films,
+      Supplier<WireTap> taps) {
     this.drone = drone;
     this.snapshots = snapshots;
     this.films = films;
@@ -128,7 +137,7 @@ public final class VideoStream implements AutoCloseable {
     this.worker = Worker.start("video-" + drone, new Filming());
   }
 
-  /** Shows a watcher all pictures from now on. */
+  /** Adds a watcher that is notified of all pictures. */
   public void watch(VideoWatcher watcher) {
     watchers.add(watcher);
     unseen = true;
@@ -136,27 +145,28 @@ public final class VideoStream implements AutoCloseable {
     wake();
   }
 
-  /** Shows a watcher no more pictures; one may still be on its way. */
+  /** Removes a watcher. The watcher may still be notified of one more picture. */
   public void ignore(VideoWatcher watcher) {
     watchers.remove(watcher);
     wake();
   }
 
-  /** The simulation has begun anew: the next picture that is sent begins a stream. */
+  /** Records that the simulation has restarted; the next picture to be sent begins a new stream. */
   void restart() {
     announced = 0;
     beginning = Optional.empty();
-    anew = true;
+    restarted = true;
   }
 
-  /** The drone's operator has sent something. */
+  /** Records that the drone's operator has sent something. */
   void heard() {
     reachability.heard();
   }
 
   /**
-   * Something happened to the drone, perhaps that it was told to film: the first picture shows this
-   * step, however late the thread of the video wakes up. For the simulation thread.
+   * Called on the simulation thread after each event of the drone. If the drone has just started to
+   * stream, the first picture will show the current snapshot, no matter how late the video thread
+   * wakes up.
    */
   void happened() {
     SimSnapshot now = snapshots.get();
@@ -168,7 +178,7 @@ public final class VideoStream implements AutoCloseable {
     wake();
   }
 
-  /** Lets it look at once whether something has changed. */
+  /** Makes the thread check for changes immediately. */
   void wake() {
     ticker.wake();
   }
@@ -191,11 +201,11 @@ public final class VideoStream implements AutoCloseable {
 
     @Override
     public ErrorPolicy onError(Throwable failure) {
-      last = Wish.NOTHING;
+      last = StreamDemand.NOTHING;
       if (!Exceptions.isFatal(failure)) {
         return failed;
       }
-      begun = Optional.empty(); // the largest part of the memory that a stream takes
+      begun = Optional.empty(); // the pipeline takes most of a stream's memory
       starvedAt = start;
       starved = true;
       return resting;
@@ -208,9 +218,9 @@ public final class VideoStream implements AutoCloseable {
   }
 
   private boolean turn() {
-    forgetIfAnew();
+    forgetIfRestarted();
     DroneSnapshot now = drone(snapshots.get());
-    Wish wish = wish(now);
+    StreamDemand wish = wish(now);
     start = wish.start;
     if (resting(now) || !wish.seen) {
       last = wish;
@@ -232,7 +242,10 @@ public final class VideoStream implements AutoCloseable {
     return true;
   }
 
-  /** The step at which a stream begins, for its first picture; then the newest. */
+  /**
+   * Returns the snapshot to be shown: for the first picture of a stream, the snapshot with which
+   * the stream starts; otherwise, the newest snapshot.
+   */
   private SimSnapshot due() {
     SimSnapshot newest = snapshots.get();
     int wanted = starts(newest);
@@ -245,21 +258,24 @@ public final class VideoStream implements AutoCloseable {
     return drone(snapshot).state().video().starts();
   }
 
-  /** Requests are counted from the simulation's start, so the next one may look like the last. */
-  private void forgetIfAnew() {
-    if (anew) {
-      anew = false;
-      last = Wish.NOTHING;
+  /**
+   * Resets the stream if the simulation has restarted. A restarted simulation counts start requests
+   * from 0 again, so the next request may have the same number as the last one.
+   */
+  private void forgetIfRestarted() {
+    if (restarted) {
+      restarted = false;
+      last = StreamDemand.NOTHING;
       connection.close();
     }
   }
 
   private void film(SimSnapshot newest) {
-    forgetIfAnew();
+    forgetIfRestarted();
     DroneSnapshot now = drone(newest);
     faults.set(now.faults());
     faults.deliver(ticker.nanos());
-    Wish wish = wish(now);
+    StreamDemand wish = wish(now);
     VideoFormat format = VideoFormat.of(now.state().video());
     SimSnapshot filmed = faults.shown(newest);
     if (wish.encoded) {
@@ -270,12 +286,12 @@ public final class VideoStream implements AutoCloseable {
     }
   }
 
-  /** Takes a picture for those who look, unless it would be as the last one. */
-  private void preview(SimSnapshot snapshot, Wish wish, VideoFormat format) {
+  /** Renders a picture for watchers, unless it would be the same as the last one. */
+  private void preview(SimSnapshot snapshot, StreamDemand wish, VideoFormat format) {
     Optional<Seen> seen = film().view(snapshot, format).map(view -> new Seen(view, format));
     if (unseen || seen.isEmpty() || !seen.equals(shown)) {
       unseen = false;
-      shown = Optional.empty(); // if it fails
+      shown = Optional.empty(); // in case rendering fails
       picture(snapshot, wish, format);
       shown = seen;
     }
@@ -288,13 +304,13 @@ public final class VideoStream implements AutoCloseable {
     return starved;
   }
 
-  private void picture(SimSnapshot snapshot, Wish wish, VideoFormat format) {
-    Film film = film();
+  private void picture(SimSnapshot snapshot, StreamDemand wish, VideoFormat format) {
+    FramePipeline film = film();
     if (wish.encoded && wish.start != last.start) {
       film.restart();
     }
     long start = ticker.nanos();
-    Picture picture = film.shoot(snapshot, format);
+    Picture picture = film.capture(snapshot, format);
     long filmed = ticker.nanos();
     Optional<AccessUnit> encoded = Optional.empty();
     if (wish.encoded) {
@@ -305,15 +321,16 @@ public final class VideoStream implements AutoCloseable {
     int bytes = encoded.map(AccessUnit::size).orElse(0);
     VideoFigures figures =
         meter.count(new VideoMeter.Sample(start, bytes, filmed - start, done - filmed));
-    if (wish.sent) { // before anybody looks at it, who may take his time
-      List<byte[]> packets = faults.sent(Packets.of(encoded.orElseThrow()));
-      connection.send(packets, wish.route.orElseThrow(), spread(packets.size()));
+    if (wish.sent) { // before watchers, which may be slow
+      Route route = wish.route.orElseThrow();
+      List<byte[]> packets = faults.packets(encoded.orElseThrow(), route.packetizer());
+      connection.send(packets, route, spread(packets.size()));
     }
     FilmedPicture filmedPicture = new FilmedPicture(picture, encoded, figures, start);
     watchers.forEach(watcher -> tell(watcher, filmedPicture));
   }
 
-  private Film film() {
+  private FramePipeline film() {
     if (begun.isEmpty()) {
       begun = Optional.of(films.get());
     }
@@ -323,10 +340,10 @@ public final class VideoStream implements AutoCloseable {
   private void tell(VideoWatcher watcher, FilmedPicture filmed) {
     try {
       watcher.filmed(filmed);
-    } catch (Throwable e) { // whatever it is, the stream shall not suffer
+    } catch (Throwable e) { // a failing watcher must not affect the stream
       Exceptions.throwIfFatal(e);
       watchers.remove(watcher);
-      LOG.error("Who looks at the video failed; please report this: {}", e.toString(), e);
+      LOG.error("A receiver of the video failed; please report this: {}", e.toString(), e);
     }
   }
 
@@ -335,7 +352,7 @@ public final class VideoStream implements AutoCloseable {
     return Math.min(SPREAD, Math.max(free, packets * LEAST_SPREAD));
   }
 
-  private Wish wish(DroneSnapshot now) {
+  private StreamDemand wish(DroneSnapshot now) {
     VideoSettings video = now.state().video();
     boolean powered = now.state().phase() != FlightPhase.OFF;
     boolean sent =
@@ -346,14 +363,14 @@ public final class VideoStream implements AutoCloseable {
             && !reachability.rests(now.link());
     boolean encoded = sent || (powered && watchers.stream().anyMatch(VideoWatcher::needsStream));
     boolean seen = encoded || watchers.stream().anyMatch(VideoWatcher::needsPictures);
-    return new Wish(sent, encoded, seen, Route.of(now.link()), video.starts());
+    return new StreamDemand(sent, encoded, seen, Route.of(now.link()), video.starts());
   }
 
   private DroneSnapshot drone(SimSnapshot snapshot) {
     return snapshot.drones().get(drone - 1);
   }
 
-  /** Ends the thread soon. */
+  /** Makes the thread end, but does not wait until it has ended. */
   void end() {
     worker.end();
     ticker.wake();

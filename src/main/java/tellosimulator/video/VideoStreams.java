@@ -11,18 +11,19 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.codec.VideoEncoder;
 
-/** The video of all drones of a simulation, each on a thread of its own. For any thread. */
+/** The video of all drones of a simulation, each on its own thread. Thread-safe. */
 public final class VideoStreams implements SimListener, AutoCloseable {
 
   private final Supplier<SimSnapshot> snapshots;
   private final List<VideoStream> streams;
 
   /**
-   * Films the drones of a simulation whenever somebody wants their pictures. Who makes one listens
-   * to the simulation for it, or a drone that is told to film does so only when somebody looks.
+   * Creates streams for the drones of a simulation. They render only while pictures are requested.
+   * The caller must register this object as a listener of the simulation; otherwise, drones start
+   * to stream only when watched.
    *
-   * @param snapshots the newest one
-   * @param cameras creates a camera for each drone when it films first
+   * @param snapshots supplies the newest snapshot
+   * @param cameras creates a drone's camera when it is first needed
    * @param encoders creates an encoder for each frame size
    */
   public VideoStreams(
@@ -33,13 +34,13 @@ public final class VideoStreams implements SimListener, AutoCloseable {
   }
 
   /**
-   * Films the drones of a simulation whenever somebody wants their pictures. Who makes one listens
-   * to the simulation for it.
+   * Creates streams for the drones of a simulation. They render only while pictures are requested.
+   * The caller must register this object as a listener of the simulation.
    *
-   * @param snapshots the newest one
-   * @param cameras creates a camera for each drone when it films first
+   * @param snapshots supplies the newest snapshot
+   * @param cameras creates a drone's camera when it is first needed
    * @param encoders creates an encoder for each frame size
-   * @param taps who sees what is sent
+   * @param taps supplies the tap for sent datagrams
    */
   public VideoStreams(
       Supplier<SimSnapshot> snapshots,
@@ -52,14 +53,17 @@ public final class VideoStreams implements SimListener, AutoCloseable {
             .mapToObj(
                 drone ->
                     new VideoStream(
-                        drone, snapshots, () -> new Film(drone, cameras.get(), encoders), taps))
+                        drone,
+                        snapshots,
+                        () -> new FramePipeline(drone, cameras.get(), encoders),
+                        taps))
             .toList();
   }
 
   /**
-   * Films the drones of a simulation whenever somebody wants their pictures.
+   * Creates streams for the drones of a simulation, and registers them as a listener of it.
    *
-   * @param cameras creates a camera for each drone when it films first
+   * @param cameras creates a drone's camera when it is first needed
    * @param encoders creates an encoder for each frame size
    */
   public static VideoStreams of(
@@ -70,15 +74,15 @@ public final class VideoStreams implements SimListener, AutoCloseable {
     return streams;
   }
 
-  /** The video of a drone. */
+  /** Returns the stream of a drone. */
   public VideoStream stream(int drone) {
     return streams.get(drone - 1);
   }
 
-  /** A drone was told something, perhaps to film. */
+  /** Notifies the streams of an event, which may start or stop video. */
   @Override
   public void event(SimEvent event) {
-    if (event instanceof SimEvent.Restarted) {
+    if (event instanceof SimEvent.RunStarted) {
       streams.forEach(VideoStream::restart);
     }
     if (!(event instanceof SimEvent.ForDrone one)) {
@@ -98,7 +102,7 @@ public final class VideoStreams implements SimListener, AutoCloseable {
 
   @Override
   public void close() {
-    streams.forEach(VideoStream::end); // all of them, before it waits for one
+    streams.forEach(VideoStream::end); // ends all before waiting for any
     streams.forEach(VideoStream::close);
   }
 }

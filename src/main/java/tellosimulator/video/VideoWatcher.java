@@ -1,21 +1,23 @@
 package tellosimulator.video;
 
-/** Sees a drone's pictures as they are made. */
+/** Receives a drone's pictures as they are rendered. */
 public interface VideoWatcher {
 
-  /** Whether the pictures are to be encoded even while no operator wants them. For any thread. */
+  /** Whether pictures must be encoded even if no operator requests them. Thread-safe. */
   default boolean needsStream() {
     return false;
   }
 
   /**
-   * Whether pictures are to be made for it; otherwise it sees only those that others want. For any
-   * thread.
+   * Whether pictures must be rendered for this watcher. If not, it receives only pictures that are
+   * rendered anyway. Thread-safe.
    */
   default boolean needsPictures() {
     return true;
   }
 
-  /** A picture was made. Called on the drone's video thread: it must be quick, and not throw. */
+  /**
+   * Called with each new picture on the drone's video thread. Must be quick, and must not throw.
+   */
   void filmed(FilmedPicture picture);
 }

@@ -1,8 +1,9 @@
 /**
- * The drones' video: a camera's pictures, encoded as H.264 and sent to the operator.
+ * The drones' video: pictures from a camera, encoded as H.264 and sent to the operator.
  *
- * <p>{@code picture} holds what a picture is, {@code camera} draws what a drone sees, {@code codec}
- * encodes it; this package puts them together, one thread for each drone. It reads snapshots of the
- * simulation and never changes it. The window is not its job.
+ * <p>{@code picture} contains the picture type, {@code camera} renders what a drone sees, and
+ * {@code codec} encodes it. This package connects them, with one thread for each drone. It reads
+ * snapshots of the simulation and never changes the simulation. Showing the pictures in the window
+ * belongs to another package.
  */
 package tellosimulator.video;

@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Something to be said to people, in any language: a clause, or a part of one. Immutable; for any
- * thread. It is put into words when it is read, not when it is made.
+ * A translatable message: a clause, or a part of a clause. A phrase is formatted when its text is
+ * requested, not when it is created. Immutable.
  *
- * @param template in English, with places for the values as {@link java.util.Formatter} writes
- *     them; without values it is taken literally
+ * @param template the English text, with format specifiers as in {@link java.util.Formatter}; taken
+ *     literally if there are no values
  * @param values numbers, texts that are the same in all languages, and phrases
  */
 public record Phrase(String template, List<Object> values) {
@@ -18,26 +18,29 @@ public record Phrase(String template, List<Object> values) {
   }
 
   /**
-   * A phrase.
+   * Creates a phrase.
    *
-   * @param template written out at each call, because a test collects the templates from the
-   *     sources
+   * @param template the English text; must be a string literal, because a test collects the
+   *     templates from the source code
    */
   public static Phrase of(String template, Object... values) {
     return new Phrase(template, List.of(values));
   }
 
-  /** A name of something; of those that come with the program there are translations. */
+  /**
+   * Creates a phrase from a name, for example the name of an obstacle. Names that come with the
+   * program have translations; others are used unchanged.
+   */
   public static Phrase name(String name) {
     return new Phrase(name, List.of());
   }
 
-  /** Said in English. */
+  /** Formats the phrase in English. */
   public String english() {
     return in(Translation.ENGLISH);
   }
 
-  /** Said in a language. */
+  /** Formats the phrase in a language. */
   public String in(Translation translation) {
     Object[] said = values.toArray();
     for (int i = 0; i < said.length; i++) {
@@ -48,12 +51,12 @@ public record Phrase(String template, List<Object> values) {
     return format(translation.locale(), translation.of(template), said);
   }
 
-  /** Puts values into the places of a template; without values it is taken literally. */
+  /** Formats a template with values. Without values, the template is taken literally. */
   public static String format(Locale locale, String template, Object... values) {
     return values.length == 0 ? template : String.format(locale, template, values);
   }
 
-  /** Said in English. */
+  /** Returns the phrase in English. */
   @Override
   public String toString() {
     return english();

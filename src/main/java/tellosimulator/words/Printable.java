@@ -3,8 +3,9 @@ package tellosimulator.words;
 import java.util.Locale;
 
 /**
- * Text from outside the program in a form that is safe on a terminal. Names and messages may hold
- * control sequences, which a terminal obeys, and marks that turn the direction of what follows.
+ * Makes text from outside the program safe for a terminal. Names and messages may contain control
+ * sequences, which a terminal would execute, and marks that change the direction of the subsequent
+ * text.
  */
 public final class Printable {
 
@@ -14,8 +15,8 @@ public final class Printable {
   private Printable() {}
 
   /**
-   * A text with each control character in its escaped form, such as {@code \x1b}. Tabs and ends of
-   * lines stay.
+   * Replaces control and invisible formatting characters by escapes, such as {@code \x1b}. Tabs,
+   * line feeds and zero-width joiners are kept.
    */
   public static String of(String text) {
     if (text.codePoints().allMatch(Printable::isHarmless)) {

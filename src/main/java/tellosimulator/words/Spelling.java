@@ -4,18 +4,29 @@ import java.util.Collection;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Guesses what somebody meant who wrote a word that is not known. */
+/** Suggests a known word for a misspelt one. */
 public final class Spelling {
 
-  /** A word is meant if at most about a third of its letters are wrong. Decided. */
+  /**
+   * Number of letters in a word for each error that is allowed in it. Decided: at most about a
+   * third of the letters may be wrong.
+   */
   private static final int LETTERS_PER_SLIP = 3;
 
-  /** Longer words are not guessed at. Decided. */
+  /**
+   * Maximum length of a word for which a suggestion is made [characters]. Decided: it limits the
+   * time of a comparison, which grows with the square of the length.
+   */
   private static final int LONGEST = 40;
 
   private Spelling() {}
 
-  /** The known word that is nearest to what was written, if it is near. */
+  /**
+   * Returns the known word that is nearest to the written word; empty if none is near enough. In
+   * the written word, case is ignored, and underscores and spaces count as hyphens.
+   *
+   * @param known words in lower case, with hyphens
+   */
   public static Optional<String> meant(String written, Collection<String> known) {
     if (written.length() > LONGEST) {
       return Optional.empty();
@@ -37,8 +48,17 @@ public final class Spelling {
   }
 
   /**
-   * Letters that are too many, missing, wrong, or in a neighbour's place: the restricted distance
-   * of Damerau and Levenshtein.
+   * Returns a suggestion for the end of a sentence.
+   *
+   * @param otherwise the end of the sentence if no known word is near enough
+   */
+  public static String hint(String written, Collection<String> known, String otherwise) {
+    return meant(written, known).map(word -> ", did you mean " + word + "?").orElse(otherwise);
+  }
+
+  /**
+   * Returns the number of extra, missing, wrong and transposed letters: the restricted
+   * Damerau-Levenshtein distance.
    */
   static int slips(String written, String word) {
     int[][] slips = new int[written.length() + 1][word.length() + 1];

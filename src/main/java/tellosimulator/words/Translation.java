@@ -1,12 +1,11 @@
 package tellosimulator.words;
 
 import java.util.Locale;
-import java.util.Set;
 
-/** A language that phrases can be said in. */
+/** A language into which phrases can be translated. */
 public interface Translation {
 
-  /** As the phrases are written. */
+  /** The language of the templates. */
   Translation ENGLISH =
       new Translation() {
         @Override
@@ -20,14 +19,9 @@ public interface Translation {
         }
       };
 
-  /** The template that stands for an English one; the same places for values are in it. */
+  /** Returns the translation of an English template, with the same format specifiers. */
   String of(String template);
 
-  /** The English templates for which there is another one. */
-  default Set<String> templates() {
-    return Set.of();
-  }
-
-  /** After whose customs numbers are written. */
+  /** Returns the locale in which numbers are formatted. */
   Locale locale();
 }

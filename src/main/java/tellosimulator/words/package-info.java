@@ -1,10 +1,10 @@
 /**
- * Words for people that can be said in several languages.
+ * Translatable messages for users.
  *
- * <p>A {@link tellosimulator.words.Phrase} is made where something happens: an English template and
- * the values in it. Read as it is, it is English; a {@link tellosimulator.words.Translation} says
- * it otherwise. Everything is immutable and for any thread. The package imports nothing of the
- * project. What a drone sends on the wire is no phrase, and the other languages themselves are not
- * its job.
+ * <p>A {@link tellosimulator.words.Phrase} is an English template with values, created where an
+ * event happens. A phrase can format itself in English, or in another language with a {@link
+ * tellosimulator.words.Translation}. All types are immutable. The package imports no other package
+ * of the project. Texts that a drone sends on the wire are not phrases. Another package contains
+ * the other languages.
  */
 package tellosimulator.words;

@@ -5,17 +5,17 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * A room with all that is in it, but for the drones. Immutable.
+ * A room with its contents, except for the drones. Immutable.
  *
- * @param decor what the room looks like
- * @param obstacles in the order of their numbers
- * @param pads mission pads, none of them twice
- * @param wind how the air moves
+ * @param decor the appearance of the room
+ * @param obstacles the obstacles, in the order of their numbers
+ * @param pads the mission pads; each id occurs at most once
+ * @param wind the motion of the air
  */
 public record Arena(
     Room room, Decor decor, List<Obstacle> obstacles, List<MissionPad> pads, Wind wind) {
 
-  /** The default room, empty. */
+  /** The default arena: the default room without contents. */
   public static final Arena DEFAULT = empty(Room.DEFAULT, Decor.DEFAULT);
 
   public Arena {
@@ -30,7 +30,7 @@ public record Arena(
     }
   }
 
-  /** A room with nothing in it. */
+  /** Returns an arena without contents and without wind. */
   public static Arena empty(Room room, Decor decor) {
     return new Arena(room, decor, List.of(), List.of(), Wind.CALM);
   }

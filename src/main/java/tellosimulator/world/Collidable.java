@@ -2,21 +2,21 @@ package tellosimulator.world;
 
 import tellosimulator.words.Phrase;
 
-/** What a drone can run into. Immutable; for any thread. */
+/** An object with which a drone can collide. Immutable. */
 public sealed interface Collidable permits Surface, Obstacle, Collidable.OtherDrone {
 
-  /** For people: {@code the front wall}. */
+  /** Returns a description of the object, such as {@code the front wall}. */
   Phrase phrase();
 
-  /** Whether a drone can stand on it. */
+  /** Whether a drone can stand on the object. */
   default boolean carries() {
     return true;
   }
 
   /**
-   * Another drone, on which none can stand.
+   * Another drone. No drone can stand on it.
    *
-   * @param number from 1
+   * @param number the number of the other drone, from 1
    */
   record OtherDrone(int number) implements Collidable {
     @Override

@@ -4,21 +4,26 @@ import java.util.List;
 import java.util.OptionalInt;
 
 /**
- * What can be chosen about the looks of a room; nothing of it stops a drone. Immutable.
+ * The configurable appearance of a room. It has no effect on flights, but goals may refer to
+ * posters. Immutable.
  *
- * @param grid distance between the lines on the floor [m]
- * @param accent colour of the front wall where the room is calm, and hue of its bricks where it is
- *     textured, {@code 0xrrggbb}; the usual one if empty
- * @param posters the later ones in front of the earlier ones
+ * @param grid the distance between the lines on the floor [m]
+ * @param accent the colour of the front wall ({@link Walls#AUTO}) or the hue of its bricks ({@link
+ *     Walls#TEXTURED}), as {@code 0xrrggbb}; empty for the default; unused for {@link Walls#PLAIN}
+ * @param posters the posters; later ones hang in front of earlier ones
  */
 public record Decor(double grid, Walls walls, OptionalInt accent, List<Poster> posters) {
 
-  /** Limits of the grid [m]. Decided: a drone's size, and a line each two metres. */
+  /** Minimum grid spacing [m]. Decided: the size of a drone. */
   public static final double SMALLEST_GRID = 0.1;
 
+  /** Maximum grid spacing [m]. Decided. */
   public static final double LARGEST_GRID = 2;
 
-  /** Decided: the grid of the predecessor, and walls that suit cameras and people. */
+  /**
+   * The default appearance. Decided: the grid of this simulator's predecessor of 2020, and {@link
+   * Walls#AUTO}, because it looks the same in the window and in the drones' video.
+   */
   public static final Decor DEFAULT = new Decor(0.4, Walls.AUTO, OptionalInt.empty(), List.of());
 
   public Decor {

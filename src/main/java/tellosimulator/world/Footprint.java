@@ -2,15 +2,15 @@ package tellosimulator.world;
 
 import tellosimulator.math.Vec3;
 
-/** Whether things are where a room has a place for them. */
+/** Tests whether objects are inside a room or on a surface. */
 public final class Footprint {
 
-  /** What sticks out less is still inside [m]. Decided: errors of rounding. */
+  /** Overhang that still counts as inside [m]. Decided: it covers rounding errors. */
   private static final double TOLERANCE = 1e-3;
 
   private Footprint() {}
 
-  /** Whether a whole obstacle is in the room. */
+  /** Whether an obstacle is entirely inside the room. */
   public static boolean inside(Obstacle obstacle, Room room) {
     return betweenWalls(obstacle, room) && underCeiling(obstacle, room);
   }
@@ -18,8 +18,8 @@ public final class Footprint {
   /** Whether no part of an obstacle is behind a wall. */
   public static boolean betweenWalls(Obstacle obstacle, Room room) {
     Vec3 foot = obstacle.foot();
-    Vec3 half = size(obstacle.shape()).times(0.5);
-    boolean round = obstacle.shape() instanceof Shape.Cylinder;
+    Vec3 half = obstacle.shape().size().times(0.5);
+    boolean round = obstacle.shape().round();
     double cosine = round ? 1 : Math.abs(StrictMath.cos(obstacle.heading()));
     double sine = round ? 0 : Math.abs(StrictMath.sin(obstacle.heading()));
     double x = cosine * half.x() + sine * half.y();
@@ -33,21 +33,7 @@ public final class Footprint {
     return obstacle.foot().z() + obstacle.shape().height() <= room.height() + TOLERANCE;
   }
 
-  /** Depth, width and height of a shape [m]. */
-  public static Vec3 size(Shape shape) {
-    if (shape instanceof Shape.Box box) {
-      return new Vec3(box.depth(), box.width(), box.height());
-    }
-    if (shape instanceof Shape.Ring ring) {
-      return new Vec3(ring.tube(), 2 * ring.reach(), ring.height());
-    }
-    if (shape instanceof Shape.Frame frame) {
-      return new Vec3(frame.beam(), frame.width() + 2 * frame.beam(), frame.height());
-    }
-    return new Vec3(2 * shape.reach(), 2 * shape.reach(), shape.height());
-  }
-
-  /** Whether a whole mission pad is on its surface. */
+  /** Whether a mission pad is entirely on its surface. */
   public static boolean inside(MissionPad pad, Room room) {
     double half =
         MissionPad.EDGE
@@ -62,9 +48,9 @@ public final class Footprint {
   }
 
   /**
-   * Whether something is on a surface.
+   * Returns whether an object is on a surface.
    *
-   * @param place its middle along the surface and up, and half its size
+   * @param place the object's middle (x along the surface, y upwards) and half its size (z) [m]
    */
   private static boolean inside(Surface surface, Vec3 place, Room room) {
     double half = place.z() - TOLERANCE;
@@ -75,7 +61,7 @@ public final class Footprint {
     return Math.abs(place.x()) <= room.lengthOf(surface) / 2 - half && upInside;
   }
 
-  /** Whether a place is in the room. */
+  /** Whether a point is inside the room. */
   public static boolean inside(Vec3 place, Room room) {
     return Math.abs(place.x()) <= room.depth() / 2
         && Math.abs(place.y()) <= room.width() / 2

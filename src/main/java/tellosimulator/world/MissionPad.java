@@ -5,27 +5,26 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 
 /**
- * A printed card that drones recognise. Its frame: origin in its middle, x where the rocket points,
- * y to the rocket's left, z out of the card. Documented: Mission Pad User Guide. Immutable.
+ * A printed card that drones recognise. The origin of a pad's frame is the middle of the card. Its
+ * x axis points in the direction of the printed rocket, y to the rocket's left, and z out of the
+ * card. Documented: Mission Pad User Guide. Immutable.
  *
- * @param id 1 to 8, which is printed on it
- * @param surface on which it lies or hangs: the floor or a wall
- * @param along from the surface's middle to the pad's, to the right as one sees it who looks at it;
- *     the front wall is the upper end of the floor [m]
- * @param height of the pad's middle above the floor [m]; on the floor, from its middle upwards
- * @param rotation where the rocket points [rad], counter-clockwise as one sees it; 0 is upwards,
- *     and on the floor along the room's x
+ * @param id the printed number, 1 to 8
+ * @param surface the surface on which the pad lies or hangs: the floor or a wall
+ * @param along the distance from the surface's middle to the pad's middle [m], to the right as seen
+ *     by a viewer in front of the surface; for a viewer of the floor, the front wall is at the top
+ * @param height the height of the pad's middle above the floor [m]; for a pad on the floor, the
+ *     distance from the floor's middle towards the front wall
+ * @param rotation the direction of the rocket [rad], counter-clockwise as seen by the viewer; 0 is
+ *     upwards on a wall, and along the room's x axis on the floor
  */
 public record MissionPad(int id, Surface surface, double along, double height, double rotation) {
 
-  /** Ids that there are. Documented: Mission Pad User Guide. */
+  /** Highest id. Documented: Mission Pad User Guide. */
   public static final int LAST_ID = 8;
 
-  /** Edge of a pad [m]. Assumed: by eye, from pictures with a drone on it. */
+  /** Side length of a pad [m]. Assumed: estimated from pictures with a drone on the pad. */
   public static final double EDGE = 0.2;
-
-  /** From a pad that lies to one that hangs: its x axis points up, its z axis back. */
-  private static final Attitude HANGING = new Attitude(Math.sqrt(0.5), 0, -Math.sqrt(0.5), 0);
 
   public MissionPad {
     if (id < 1 || id > LAST_ID) {
@@ -37,28 +36,24 @@ public record MissionPad(int id, Surface surface, double along, double height, d
   }
 
   /**
-   * A pad on the floor.
+   * Creates a pad on the floor.
    *
-   * @param place on the floor, room frame [m]
-   * @param heading of the rocket [rad], counter-clockwise seen from above
+   * @param place the place on the floor, in the room frame [m]
+   * @param heading the heading of the rocket [rad], counter-clockwise seen from above
    */
   public static MissionPad onFloor(int id, Vec3 place, double heading) {
     return new MissionPad(id, Surface.FLOOR, -place.y(), place.x(), heading);
   }
 
-  /** The same elsewhere on its surface. */
+  /** Returns a copy of this pad at another place on its surface. */
   public MissionPad movedTo(double newAlong, double newHeight) {
     return new MissionPad(id, surface, newAlong, newHeight, rotation);
   }
 
-  /** Where its frame is in a room. */
+  /** Returns the pose of the pad's frame in a room. */
   public Pose pose(Room room) {
+    Pose upright = surface.pose(room, along, height);
     Attitude turned = Attitude.ofHeading(rotation);
-    if (surface == Surface.FLOOR) {
-      return new Pose(new Vec3(height, -along, 0), turned);
-    }
-    Attitude facing = Attitude.ofHeading(surface.heading());
-    Vec3 middle = facing.toRoom(new Vec3(room.distanceTo(surface), -along, height));
-    return new Pose(middle, facing.after(HANGING).after(turned));
+    return new Pose(upright.position(), upright.attitude().after(turned));
   }
 }

@@ -3,14 +3,15 @@ package tellosimulator.world;
 import java.util.Map;
 
 /**
- * What an obstacle looks like. Immutable.
+ * The appearance of an obstacle. Immutable.
  *
- * @param rgb its colour, as one writes #rrggbb
- * @param pictures image files that cover whole sides; around a cylinder goes that of the front
+ * @param rgb the colour, as {@code 0xrrggbb}
+ * @param pictures the image files by side; each image covers a whole side, and the front image of a
+ *     cylinder wraps around the cylinder
  */
 public record ObstacleAppearance(int rgb, Pattern pattern, Map<Side, String> pictures) {
 
-  /** Decided: an orange that neither walls nor floor have. */
+  /** The default appearance. Decided: an orange that does not occur on the walls or the floor. */
   public static final ObstacleAppearance DEFAULT =
       new ObstacleAppearance(0xd9772b, Pattern.PLAIN, Map.of());
 
@@ -18,19 +19,19 @@ public record ObstacleAppearance(int rgb, Pattern pattern, Map<Side, String> pic
     pictures = Map.copyOf(pictures);
   }
 
-  /** What is painted on it in its colour. */
+  /** The pattern of the paint. */
   public enum Pattern {
-    /** Nothing. */
+    /** No pattern. */
     PLAIN,
-    /** Squares in two shades. */
+    /** Squares in the obstacle's colour and in a contrasting colour. */
     CHECKS,
-    /** Stripes in two shades. */
+    /** Diagonal stripes in the obstacle's colour and in a contrasting colour. */
     STRIPES,
-    /** Bricks. */
+    /** Bricks in the obstacle's colour, with light mortar. */
     BRICKS
   }
 
-  /** A side of a box, in the box's frame: x is ahead, y is left. */
+  /** A side of a box, in the box's frame: the front is at positive x, the left at positive y. */
   public enum Side {
     FRONT,
     BACK,

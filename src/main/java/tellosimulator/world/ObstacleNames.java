@@ -5,21 +5,21 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 
-/** Names for obstacles that nobody gave one: {@code box 1}. Not thread-safe. */
+/** Generates names for unnamed obstacles, such as {@code box 1}. Not thread-safe. */
 public final class ObstacleNames {
 
   private final Set<String> taken = new HashSet<>();
   private final Map<String, Integer> numbers = new HashMap<>();
 
-  /** A name that an obstacle has already. */
+  /** Registers the name of an existing obstacle. */
   public void take(String name) {
     taken.add(name);
   }
 
   /**
-   * A name that no other has.
+   * Returns an unused name.
    *
-   * @param kind its first word
+   * @param kind the first word of the name
    */
   public String next(String kind) {
     String name;

@@ -6,29 +6,37 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Solid.Bounds;
 
 /**
- * The obstacles of a room, in cells on the floor, so that only those nearby are looked at.
- * Immutable; for any thread.
+ * The obstacles of a room, indexed by a grid of cells on the floor, so that only nearby obstacles
+ * are tested. Immutable.
  */
 public final class Obstacles {
 
   /**
-   * Smallest edge of a cell [m]. Decided: most obstacles are in a few, a drone is in one or two.
+   * Minimum side length of a cell [m]. Decided: most obstacles then cover a few cells, and a drone
+   * covers one or two.
    */
   private static final double SMALLEST_CELL = 1;
 
-  /** Most cells along an edge of the room. Decided: some megabytes at the most. */
+  /**
+   * Maximum number of cells along an edge of the room. Decided: the grid then takes a few megabytes
+   * at most.
+   */
   private static final int MOST_CELLS = 64;
 
-  /** A part in more cells than this is looked at everywhere. Decided: a long wall is in fewer. */
+  /**
+   * Maximum number of cells in which a part is listed. A part that covers more cells is not
+   * indexed; instead, it is tested every time. Decided: even a long wall covers fewer cells.
+   */
   private static final int MANY_CELLS = 100;
 
   private static final Part[] NOTHING = {};
 
-  /** A solid, and whose it is. */
+  /** A solid, its bounding box, and the obstacle to which the solid belongs. */
   record Part(Solid solid, Bounds bounds, Obstacle obstacle) {}
 
   private final Room room;
@@ -62,7 +70,7 @@ public final class Obstacles {
     }
   }
 
-  /** Those of a room with all that is in it. */
+  /** Returns the obstacles of an arena. */
   public static Obstacles of(Arena arena) {
     List<Part> parts = new ArrayList<>();
     for (Obstacle obstacle : arena.obstacles()) {
@@ -74,11 +82,12 @@ public final class Obstacles {
   }
 
   /**
-   * What stops a body on its way through a step; it slides along what it touches.
+   * Returns the collision that stops a body during a step, if any. The body slides along the object
+   * that it touches.
    *
-   * @param before where it was [m]
-   * @param position where it would be [m]
-   * @param velocity how it moves [m/s]
+   * @param before the previous position [m]
+   * @param position the position that the body would reach without a collision [m]
+   * @param velocity the velocity [m/s]
    */
   public Optional<Collision> collide(Vec3 before, Vec3 position, Vec3 velocity, Collider collider) {
     if (empty) {
@@ -92,7 +101,7 @@ public final class Obstacles {
         : new Sweep(near, collider).along(before, position, velocity);
   }
 
-  /** Whether a collider is in any of them, and in which. */
+  /** Returns an obstacle that a collider overlaps, if any. */
   public Optional<Obstacle> around(Vec3 position, Collider collider) {
     Vec3 grown = new Vec3(collider.radius(), collider.radius(), collider.height());
     for (Part part : near(Bounds.around(position, grown))) {
@@ -104,10 +113,29 @@ public final class Obstacles {
   }
 
   /**
-   * How far one sees along a ray [m].
+   * Returns an obstacle that another one overlaps, if any.
    *
-   * @param direction unit vector
-   * @param limit beyond this nothing matters [m]
+   * @param obstacle one of these obstacles
+   * @param counts whether an overlap with the given obstacle counts
+   */
+  public Optional<Obstacle> overlapping(Obstacle obstacle, Predicate<Obstacle> counts) {
+    for (Solid solid : Solid.of(obstacle)) {
+      for (Part part : near(solid.bounds())) {
+        if (!part.obstacle.equals(obstacle)
+            && counts.test(part.obstacle)
+            && solid.overlaps(part.solid)) {
+          return Optional.of(part.obstacle);
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  /**
+   * Returns the free distance along a ray [m].
+   *
+   * @param direction a unit vector
+   * @param limit the maximum distance [m]
    * @return the distance to the nearest obstacle, or {@code limit}
    */
   public double distance(Vec3 origin, Vec3 direction, double limit) {
@@ -123,7 +151,10 @@ public final class Obstacles {
     return nearest;
   }
 
-  /** The parts whose bounds meet other ones; some of them may be there twice. */
+  /**
+   * Returns the parts whose bounds intersect the given bounds. The result may contain a part more
+   * than once.
+   */
   private List<Part> near(Bounds bounds) {
     int firstColumn = column(bounds.least().x());
     int lastColumn = column(bounds.most().x());
@@ -161,13 +192,7 @@ public final class Obstacles {
     int lastRow = row(bounds.most().y());
     for (int column = column(bounds.least().x()); column <= lastColumn; column++) {
       for (int row = firstRow; row <= lastRow; row++) {
-        int index = column * rows + row;
-        List<Part> list = lists.get(index);
-        if (list == null) {
-          list = new ArrayList<>();
-          lists.put(index, list);
-        }
-        list.add(part);
+        lists.computeIfAbsent(column * rows + row, index -> new ArrayList<>()).add(part);
       }
     }
   }

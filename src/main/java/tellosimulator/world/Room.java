@@ -5,21 +5,24 @@ import java.util.stream.Stream;
 import tellosimulator.math.Vec3;
 
 /**
- * A box with its floor's centre at the origin of the room frame. Immutable.
+ * A room in the shape of a box. The centre of its floor is the origin of the room frame. Immutable.
  *
- * @param width along y [m]
- * @param depth along x [m]
- * @param height along z [m]
+ * @param width the extent along y [m]
+ * @param depth the extent along x [m]
+ * @param height the extent along z [m]
  */
 public record Room(double width, double depth, double height) {
 
-  /** Decided: 5 by 5 by 3 m, as the predecessor's room. */
+  /** The default room. Decided: 5 by 5 by 3 m, as in this simulator's predecessor of 2020. */
   public static final Room DEFAULT = new Room(5, 5, 3);
 
-  /** Shortest edge [m]. Assumed: a drone, its start and some air. */
+  /**
+   * Minimum length of an edge [m]. Assumed: enough for a drone at its start, with some space around
+   * it.
+   */
   public static final double SHORTEST = 1;
 
-  /** Longest edge [m]. Assumed: the drone's Wi-Fi reaches 100 m. */
+  /** Maximum length of an edge [m]. Assumed: twice the 100 m that the drone's Wi-Fi reaches. */
   public static final double LONGEST = 200;
 
   public Room {
@@ -28,7 +31,7 @@ public record Room(double width, double depth, double height) {
     check("height", height);
   }
 
-  /** Whether the collider fits at {@code position} without touching a wall or the ceiling. */
+  /** Whether a collider at {@code position} is entirely inside the room. */
   public boolean contains(Vec3 position, Collider collider) {
     return Math.abs(position.x()) <= depth / 2 - collider.radius()
         && Math.abs(position.y()) <= width / 2 - collider.radius()
@@ -36,12 +39,12 @@ public record Room(double width, double depth, double height) {
         && position.z() <= height - collider.height();
   }
 
-  /** How far it is from the room's middle to a wall [m]. */
+  /** Returns the distance from the room's middle to a wall [m]. */
   public double distanceTo(Surface wall) {
     return (alongDepth(wall) ? width : depth) / 2;
   }
 
-  /** How long a wall is [m]; how wide floor and ceiling are. */
+  /** Returns the length of a wall, or the width of the floor or the ceiling [m]. */
   public double lengthOf(Surface surface) {
     return alongDepth(surface) ? depth : width;
   }
@@ -51,9 +54,10 @@ public record Room(double width, double depth, double height) {
   }
 
   /**
-   * How far it is from a place inside to the side that a ray leaves through [m].
+   * Returns the distance from the start of a ray, inside the room, to the point at which the ray
+   * leaves the room [m].
    *
-   * @param direction unit vector
+   * @param direction a unit vector
    */
   public double distance(Vec3 origin, Vec3 direction) {
     double level =
@@ -70,7 +74,7 @@ public record Room(double width, double depth, double height) {
     return ((direction > 0 ? high : low) - origin) / direction;
   }
 
-  /** The position nearest to {@code position} at which the collider fits. */
+  /** Returns the position nearest to {@code position} at which a collider fits. */
   public Vec3 nearestInside(Vec3 position, Collider collider) {
     return new Vec3(
         clamp(position.x(), -(depth / 2 - collider.radius()), depth / 2 - collider.radius()),
@@ -79,10 +83,11 @@ public record Room(double width, double depth, double height) {
   }
 
   /**
-   * What stops a body; it slides along the surface.
+   * Returns the collision of a body with the surfaces of the room, if any. The body slides along
+   * the surface that it touches.
    *
-   * @param position where it would be [m]
-   * @param velocity how it moves [m/s]
+   * @param position the position that the body would reach without a collision [m]
+   * @param velocity the velocity [m/s]
    */
   public Optional<Collision> collide(Vec3 position, Vec3 velocity, Collider collider) {
     if (contains(position, collider)) {

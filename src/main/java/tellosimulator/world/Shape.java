@@ -2,31 +2,53 @@ package tellosimulator.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import tellosimulator.math.Vec3;
 
 /**
- * What an obstacle is made of. Its frame: origin in the middle of its foot, z up; x is its depth
- * and the way through a gate, y its width. All lengths in metres. Immutable; for any thread.
+ * The shape of an obstacle. The origin of its frame is the middle of its foot. The x axis points
+ * along the depth, or through the opening of a gate; the y axis points along the width, and the z
+ * axis up. All lengths are in metres. Immutable.
  */
 public sealed interface Shape {
 
-  /** Longest edge of anything [m]. Decided: that of a room. */
+  /** Maximum length of an edge [m]. Decided: the same as for a room. */
   double LONGEST = Room.LONGEST;
 
-  /** Shortest edge of anything [m]. Decided: a sheet of cardboard. */
+  /** Minimum length of an edge [m]. Decided: the thickness of a sheet of cardboard. */
   double SHORTEST = 0.001;
 
-  /** How high it reaches above its foot. */
+  /** Returns the height of the shape above its foot. */
   double height();
 
-  /** How far it reaches from its vertical axis at the most. */
-  double reach();
+  /** Returns the maximum distance of any point of the shape from the vertical axis. */
+  default double reach() {
+    return StrictMath.hypot(size().x(), size().y()) / 2;
+  }
+
+  /** Returns the depth, width and height of the shape's bounding box. */
+  Vec3 size();
+
+  /** Whether the shape's outline, seen from above, is a circle rather than a rectangle. */
+  default boolean round() {
+    return 2 * reach() <= Math.min(size().x(), size().y());
+  }
+
+  /** Applies the function for this kind of shape and returns its result. */
+  <T> T match(Cases<T> cases);
+
+  /** A function for each kind of shape, for code that treats the kinds differently. */
+  record Cases<T>(
+      Function<Box, T> box,
+      Function<Cylinder, T> cylinder,
+      Function<Ring, T> ring,
+      Function<Frame, T> frame) {}
 
   /**
-   * A box; a thin one is a wall.
+   * A box. A thin box serves as a wall.
    *
-   * @param depth along x
-   * @param width along y
+   * @param depth the extent along x
+   * @param width the extent along y
    */
   record Box(double depth, double width, double height) implements Shape {
     public Box {
@@ -36,8 +58,13 @@ public sealed interface Shape {
     }
 
     @Override
-    public double reach() {
-      return StrictMath.hypot(depth, width) / 2;
+    public Vec3 size() {
+      return new Vec3(depth, width, height);
+    }
+
+    @Override
+    public <T> T match(Cases<T> cases) {
+      return cases.box().apply(this);
     }
   }
 
@@ -52,29 +79,51 @@ public sealed interface Shape {
     public double reach() {
       return radius;
     }
+
+    @Override
+    public Vec3 size() {
+      return new Vec3(2 * radius, 2 * radius, height);
+    }
+
+    @Override
+    public <T> T match(Cases<T> cases) {
+      return cases.cylinder().apply(this);
+    }
   }
 
-  /** An upright opening to fly through, along x or against it. */
+  /** An upright opening. A drone can fly through it along the x axis, in either direction. */
   sealed interface Gate extends Shape {
 
-    /** Of the opening's middle above the foot. */
+    /** Returns the height of the opening's middle above the foot. */
     double middle();
 
+    /** Returns the width of the opening. */
+    double width();
+
     /**
-     * Whether a place in the plane of the opening is in it.
+     * Whether a point in the plane of the opening is inside the opening.
      *
-     * @param across from the middle, along y
-     * @param up from the middle
+     * @param across the distance from the middle along y
+     * @param up the height above the middle
      */
     boolean opens(double across, double up);
+
+    /** Applies the function for this kind of gate and returns its result. */
+    <T> T match(Function<Ring, T> ring, Function<Frame, T> frame);
+
+    @Override
+    default <T> T match(Cases<T> cases) {
+      return match(cases.ring(), cases.frame());
+    }
   }
 
   /**
    * A ring on a post.
    *
-   * @param radius of the opening
-   * @param tube thickness of the ring and of its post
-   * @param middle of the opening above the foot; at its lowest the ring stands on the floor
+   * @param radius the radius of the opening
+   * @param tube the thickness of the ring and of its post
+   * @param middle the height of the opening's middle above the foot; at the minimum, {@code radius
+   *     + tube}, the ring has no post
    */
   record Ring(double radius, double tube, double middle) implements Gate {
     public Ring {
@@ -95,7 +144,7 @@ public sealed interface Shape {
       return middle + radius + tube;
     }
 
-    /** Height of its post, up to the ring; 0 if it needs none. */
+    /** Returns the height of the post up to the ring; 0 if the ring needs no post. */
     public double post() {
       return Math.max(0, middle - radius - tube);
     }
@@ -106,18 +155,34 @@ public sealed interface Shape {
     }
 
     @Override
+    public Vec3 size() {
+      return new Vec3(tube, 2 * reach(), height());
+    }
+
+    @Override
+    public double width() {
+      return 2 * radius;
+    }
+
+    @Override
     public boolean opens(double across, double up) {
       return StrictMath.hypot(across, up) < radius;
+    }
+
+    @Override
+    public <T> T match(Function<Ring, T> ring, Function<Frame, T> frame) {
+      return ring.apply(this);
     }
   }
 
   /**
-   * A frame of four beams, on two posts if it does not stand on the floor.
+   * A rectangular frame of two sides, a top and, if there is space for it above the foot, a sill.
+   * The sides reach down to the foot, so below the sill they are posts.
    *
-   * @param width of the opening
-   * @param opening height of the opening
-   * @param beam thickness of the beams
-   * @param middle of the opening above the foot
+   * @param width the width of the opening
+   * @param opening the height of the opening
+   * @param beam the thickness of the beams
+   * @param middle the height of the opening's middle above the foot
    */
   record Frame(double width, double opening, double beam, double middle) implements Gate {
     public Frame {
@@ -136,7 +201,7 @@ public sealed interface Shape {
       return middle + opening / 2 + beam;
     }
 
-    /** Height of the frame's lower end, up to which its posts are no more than posts. */
+    /** Returns the height of the frame's lower end. Below it, there are only the posts. */
     public double post() {
       return Math.max(0, sill());
     }
@@ -145,7 +210,7 @@ public sealed interface Shape {
       return middle - opening / 2 - beam;
     }
 
-    /** What it is made of: the two sides from the foot on, the top, and the sill if it has one. */
+    /** Returns the beams: the two sides from the foot up, the top, and the sill if there is one. */
     public List<Beam> beams() {
       double side = (width + beam) / 2;
       double top = middle + opening / 2;
@@ -162,21 +227,26 @@ public sealed interface Shape {
     }
 
     @Override
-    public double reach() {
-      return StrictMath.hypot(width / 2 + beam, beam / 2);
+    public Vec3 size() {
+      return new Vec3(beam, width + 2 * beam, height());
     }
 
     @Override
     public boolean opens(double across, double up) {
       return Math.abs(across) < width / 2 && Math.abs(up) < opening / 2;
     }
+
+    @Override
+    public <T> T match(Function<Ring, T> ring, Function<Frame, T> frame) {
+      return frame.apply(this);
+    }
   }
 
   /**
    * A beam of a gate.
    *
-   * @param base middle of its base, in the gate's frame
-   * @param size its depth, width and height
+   * @param base the middle of the beam's base, in the gate's frame
+   * @param size the depth, width and height of the beam
    */
   record Beam(Vec3 base, Vec3 size) {}
 

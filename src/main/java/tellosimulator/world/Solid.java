@@ -5,44 +5,51 @@ import java.util.Optional;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Vec3;
 
-/** A convex or round part of an obstacle, simple enough to collide with. Room frame. Immutable. */
+/**
+ * A part of an obstacle that is simple enough for collision tests: a box, a cylinder or a torus.
+ * All positions and directions are in the room frame. Immutable.
+ */
 sealed interface Solid permits UprightSolid, Torus {
 
-  /** The box around it. */
+  /** Returns the bounding box of the solid. */
   Bounds bounds();
 
   /**
-   * How deep a collider is in it; empty if it is not in it.
+   * Returns the penetration of a collider into the solid; empty if they do not overlap.
    *
-   * @param position where the collider is [m]
-   * @param before where it came from [m]
+   * @param position the collider's position [m]
+   * @param before the collider's previous position [m]
    */
   Optional<Penetration> penetration(Vec3 position, Vec3 before, Collider collider);
 
   /**
-   * Distance along a ray to its surface [m]; infinite if the ray misses it.
+   * Returns the distance along a ray to the solid's surface [m]; infinite if the ray misses the
+   * solid.
    *
-   * @param direction unit vector
+   * @param direction a unit vector
    */
   double distance(Vec3 origin, Vec3 direction);
 
+  /** Whether this solid and another one share more than a surface. */
+  boolean overlaps(Solid other);
+
   /**
-   * The shortest way out of a solid.
+   * A displacement that moves a collider out of a solid.
    *
-   * @param normal unit vector
-   * @param depth metres, above 0
+   * @param normal its direction, a unit vector
+   * @param depth its length [m]; 0 or less if the collider is already outside
    */
   record Penetration(Vec3 normal, double depth) {}
 
-  /** An axis-aligned bounding box of the room frame [m]. */
+  /** An axis-aligned bounding box in the room frame [m]. */
   record Bounds(Vec3 least, Vec3 most) {
 
-    /** Around a middle. */
+    /** Returns the bounding box with a given middle and half size. */
     static Bounds around(Vec3 middle, Vec3 half) {
       return new Bounds(middle.minus(half), middle.plus(half));
     }
 
-    /** Whether they share a point. */
+    /** Whether two boxes share a point. */
     boolean meets(Bounds other) {
       return least.x() <= other.most.x()
           && most.x() >= other.least.x()
@@ -52,7 +59,7 @@ sealed interface Solid permits UprightSolid, Torus {
           && most.z() >= other.least.z();
     }
 
-    /** Around both. */
+    /** Returns the bounding box that contains both boxes. */
     Bounds with(Bounds other) {
       return new Bounds(
           new Vec3(
@@ -66,21 +73,22 @@ sealed interface Solid permits UprightSolid, Torus {
     }
   }
 
-  /** The solids of which an obstacle is made. */
+  /** Returns the solids of an obstacle. */
   static List<Solid> of(Obstacle obstacle) {
-    Shape shape = obstacle.shape();
-    if (shape instanceof Shape.Box box) {
-      return List.of(box(obstacle, Vec3.ZERO, new Vec3(box.depth(), box.width(), box.height())));
-    }
-    if (shape instanceof Shape.Cylinder cylinder) {
-      return List.of(
-          new UprightSolid.Cylinder(obstacle.foot(), cylinder.radius(), cylinder.height()));
-    }
-    if (shape instanceof Shape.Ring ring) {
-      return ring(obstacle, ring);
-    }
-    return ((Shape.Frame) shape)
-        .beams().stream().map(beam -> box(obstacle, beam.base(), beam.size())).toList();
+    return obstacle
+        .shape()
+        .match(
+            new Shape.Cases<>(
+                box -> List.of(box(obstacle, Vec3.ZERO, box.size())),
+                cylinder ->
+                    List.of(
+                        new UprightSolid.Cylinder(
+                            obstacle.foot(), cylinder.radius(), cylinder.height())),
+                ring -> ring(obstacle, ring),
+                frame ->
+                    frame.beams().stream()
+                        .map(beam -> box(obstacle, beam.base(), beam.size()))
+                        .toList()));
   }
 
   private static List<Solid> ring(Obstacle obstacle, Shape.Ring ring) {
@@ -97,10 +105,10 @@ sealed interface Solid permits UprightSolid, Torus {
   }
 
   /**
-   * A box in an obstacle's frame.
+   * Returns the solid of a box that is given in an obstacle's frame.
    *
-   * @param base middle of its base
-   * @param size its depth, width and height
+   * @param base the middle of the box's base
+   * @param size the depth, width and height of the box
    */
   private static Solid box(Obstacle obstacle, Vec3 base, Vec3 size) {
     return new UprightSolid.Box(

@@ -7,15 +7,22 @@ import tellosimulator.world.Obstacles.Part;
 import tellosimulator.world.Solid.Penetration;
 
 /**
- * One body's way through one step, past the obstacles nearby. It goes in stretches that are shorter
- * than a body is thick, so nothing is passed through at any speed. For one thread, once.
+ * The movement of one body past the nearby obstacles in one step. The movement is divided into
+ * substeps that are shorter than the body, so that the body cannot pass through an obstacle at any
+ * speed. Each instance can be used only once. Not thread-safe.
  */
 final class Sweep {
 
-  /** Longest stretch [m]. Decided: a quarter of the height of a drone, the thinner way through. */
+  /**
+   * Maximum length of a substep [m]. Decided: a quarter of a drone's smallest dimension, its
+   * height.
+   */
   private static final double STRETCH = 0.01;
 
-  /** How often a body is pushed out in one place: from a wall into another, and back. Decided. */
+  /**
+   * Maximum number of passes that push a body out of all obstacles in one substep. Decided: the
+   * limit ends the loop if two obstacles push the body back and forth.
+   */
   private static final int MOST_PUSHES = 4;
 
   private final List<Part> near;
@@ -62,7 +69,7 @@ final class Sweep {
     return place;
   }
 
-  /** Takes from the body what leads into the obstacle. */
+  /** Removes the components of velocity and movement that lead into the obstacle. */
   private void stop(Obstacle obstacle, Vec3 normal, Vec3 place) {
     double speed = -velocity.dot(normal);
     if (speed > 0) {

@@ -4,21 +4,33 @@ import java.util.Optional;
 import tellosimulator.math.Vec3;
 
 /**
- * A solid with vertical sides and level ends. A collider gets out of it sidewards, or over or under
- * it, the way it came in.
+ * A solid with vertical sides and horizontal ends. A collider is pushed out sideways, upwards or
+ * downwards, depending on how it entered.
  */
 sealed interface UprightSolid extends Solid {
 
-  /** A collider that was this near to the top was over it [m]. Decided: errors of rounding. */
+  /**
+   * Tolerance in deciding whether a collider was above the top or below the base [m]. Decided: it
+   * covers rounding errors.
+   */
   double TOUCHING = 1e-9;
 
-  /** The middle of its base. */
+  /** Depth of an overlap that still counts as contact [m]. Decided: it covers rounding errors. */
+  double CONTACT = 1e-3;
+
+  /** Returns the middle of the solid's base. */
   Vec3 middle();
 
-  /** Height of its upper end [m]. */
+  /** Returns the height of the solid's upper end [m]. */
   double top();
 
-  /** The shortest way to the side, out of the solid grown by a radius; 0 or less if beside it. */
+  /**
+   * Returns the shortest horizontal way out of the solid for an upright cylinder. The depth is 0 or
+   * less if the cylinder is beside the solid.
+   *
+   * @param position the middle of the cylinder's base [m]
+   * @param radius the cylinder's radius [m]
+   */
   Penetration sidewards(Vec3 position, double radius);
 
   @Override
@@ -41,7 +53,7 @@ sealed interface UprightSolid extends Solid {
     if (before.z() + collider.height() <= bottom + TOUCHING) {
       return Optional.of(downwards);
     }
-    boolean passable = bottom >= collider.height(); // or there is only the floor below
+    boolean passable = bottom >= collider.height(); // otherwise, the collider does not fit below
     double down = passable ? under : Double.POSITIVE_INFINITY;
     if (sidewards.depth() <= Math.min(over, down)) {
       return Optional.of(sidewards);
@@ -49,7 +61,19 @@ sealed interface UprightSolid extends Solid {
     return Optional.of(over <= down ? upwards : downwards);
   }
 
-  /** The part of a ray that is inside; the first distance is greater if no part is. */
+  /** Whether the outlines of two solids, seen from above, share more than an edge. */
+  boolean covers(UprightSolid other);
+
+  @Override
+  default boolean overlaps(Solid other) {
+    return other instanceof UprightSolid upright
+        ? middle().z() < upright.top() - CONTACT
+            && upright.middle().z() < top() - CONTACT
+            && covers(upright)
+        : other.overlaps(this);
+  }
+
+  /** The part of a ray that is inside a solid; empty if {@code in} is greater than {@code out}. */
   record Interval(double in, double out) {
 
     private static final Interval EVERYWHERE =
@@ -57,7 +81,7 @@ sealed interface UprightSolid extends Solid {
     private static final Interval NOWHERE =
         new Interval(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
 
-    /** Where a coordinate of a ray is between two values. */
+    /** Returns the interval in which a coordinate of a ray is between two values. */
     static Interval between(double least, double most, double origin, double direction) {
       if (direction == 0) {
         return origin >= least && origin <= most ? EVERYWHERE : NOWHERE;
@@ -71,7 +95,10 @@ sealed interface UprightSolid extends Solid {
       return new Interval(Math.max(in, other.in), Math.min(out, other.out));
     }
 
-    /** The distance to where the ray comes in: 0 if it begins inside, infinite if it never does. */
+    /**
+     * Returns the distance at which the ray enters: 0 if the ray begins inside, infinite if it
+     * never enters.
+     */
     double entry() {
       return in > out || out < 0 ? Double.POSITIVE_INFINITY : Math.max(0, in);
     }
@@ -80,8 +107,8 @@ sealed interface UprightSolid extends Solid {
   /**
    * A box.
    *
-   * @param half half its depth (x), half its width (y) and its height (z) [m]
-   * @param ahead unit vector of its x axis, level
+   * @param half half the depth (x), half the width (y) and the full height (z) [m]
+   * @param ahead the horizontal unit vector along the box's x axis
    */
   record Box(Vec3 middle, Vec3 half, Vec3 ahead) implements UprightSolid {
 
@@ -115,6 +142,22 @@ sealed interface UprightSolid extends Solid {
     }
 
     @Override
+    public boolean covers(UprightSolid other) {
+      return other instanceof Box box ? !isBeside(box) && !box.isBeside(this) : other.covers(this);
+    }
+
+    /** Whether an axis of this box separates it from another box, seen from above. */
+    private boolean isBeside(Box other) {
+      Vec3 between = local(other.middle.minus(middle));
+      Vec3 otherAhead = local(other.ahead);
+      double cosine = Math.abs(otherAhead.x());
+      double sine = Math.abs(otherAhead.y());
+      double alongX = half.x() + cosine * other.half.x() + sine * other.half.y();
+      double alongY = half.y() + sine * other.half.x() + cosine * other.half.y();
+      return Math.abs(between.x()) > alongX - CONTACT || Math.abs(between.y()) > alongY - CONTACT;
+    }
+
+    @Override
     public double distance(Vec3 origin, Vec3 direction) {
       Vec3 from = local(origin.minus(middle));
       Vec3 along = local(direction);
@@ -139,7 +182,7 @@ sealed interface UprightSolid extends Solid {
     }
   }
 
-  /** A cylinder. */
+  /** An upright cylinder. */
   record Cylinder(Vec3 middle, double radius, double height) implements UprightSolid {
 
     @Override
@@ -159,6 +202,11 @@ sealed interface UprightSolid extends Solid {
       double distance = spoke.norm();
       Vec3 normal = distance == 0 ? new Vec3(1, 0, 0) : spoke.times(1 / distance);
       return new Penetration(normal, radius + grown - distance);
+    }
+
+    @Override
+    public boolean covers(UprightSolid other) {
+      return other.sidewards(middle, radius).depth() > CONTACT;
     }
 
     @Override

@@ -1,12 +1,12 @@
 package tellosimulator.world;
 
-/** What floor, walls and ceiling are covered with. */
+/** The finish of the floor, the walls and the ceiling. */
 public enum Walls {
-  /** Textured where a drone films, and calm where people look into the room. */
+  /** Parquet and plaster, with windows and a door. */
   AUTO("auto"),
-  /** Even colours. */
+  /** Uniform colours. */
   PLAIN("plain"),
-  /** Patterns with detail, so that programs can see where the drone is. */
+  /** Detailed patterns, so that programs that process the video find features everywhere. */
   TEXTURED("textured");
 
   private final String option;
@@ -15,7 +15,7 @@ public enum Walls {
     this.option = option;
   }
 
-  /** Its word on the command line. */
+  /** Returns the word that selects this finish on the command line. */
   public String option() {
     return option;
   }

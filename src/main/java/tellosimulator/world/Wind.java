@@ -3,20 +3,23 @@ package tellosimulator.world;
 import tellosimulator.math.Vec3;
 
 /**
- * Moving air, the same everywhere in the room. Immutable.
+ * The motion of the air. It is the same everywhere in the room. Immutable.
  *
- * @param mean its mean velocity, room frame [m/s]
- * @param gusts standard deviation of each component of its level velocity [m/s]
+ * @param mean the mean velocity, in the room frame [m/s]
+ * @param gusts the standard deviation of each component of the horizontal velocity [m/s]
  */
 public record Wind(Vec3 mean, double gusts) {
 
-  /** Air that does not move. */
+  /** No wind. */
   public static final Wind CALM = new Wind(Vec3.ZERO, 0);
 
-  /** Fastest wind, and strongest gusts [m/s]. Decided: a gale, in which no drone can stay. */
+  /**
+   * Upper limit both of the mean speed and of the gusts [m/s]. Decided: no drone can hover in such
+   * a gale.
+   */
   public static final double FASTEST = 20;
 
-  /** What the sides of a triangle may be longer for rounding [m/s]. */
+  /** Tolerance for rounding errors of a vector's norm [m/s]. */
   private static final double ROUNDING = 1e-9;
 
   public Wind {

@@ -5,17 +5,21 @@ import tellosimulator.math.Vec3;
 import tellosimulator.time.SimTime;
 
 /**
- * How the air moves at each moment: the mean wind, and gusts that come and go. The same wind and
- * seed always give the same gusts. Immutable; for any thread.
+ * The motion of the air over time: the mean wind, and gusts that come and go. The same wind and
+ * seed always give the same gusts. Immutable.
  */
 public final class WindField {
 
-  /** Waves of which gusts are made, for each direction. Decided: enough that none repeats. */
+  /**
+   * Number of sine waves that form the gusts in each direction. Decided: enough waves that the
+   * gusts do not appear to repeat.
+   */
   private static final int WAVES = 5;
 
-  /** Longest and shortest wave [s]. Assumed: gusts that a drone follows, and some it does not. */
+  /** Maximum period of a wave [s]. Assumed: a drone can compensate for such slow gusts. */
   private static final double LONGEST = 15;
 
+  /** Minimum period of a wave [s]. Assumed: a drone cannot compensate for such short gusts. */
   private static final double SHORTEST = 1.5;
 
   private final Wind wind;
@@ -23,7 +27,7 @@ public final class WindField {
   private final Wave[] ahead;
   private final Wave[] aside;
 
-  /** One sine. */
+  /** A sine wave with an angular frequency [rad/s] and a phase [rad]. */
   private record Wave(double rate, double phase) {
     double at(double seconds) {
       return StrictMath.sin(rate * seconds + phase);
@@ -31,7 +35,9 @@ public final class WindField {
   }
 
   /**
-   * @param seed of the whole simulation
+   * Creates the field of a wind.
+   *
+   * @param seed the seed of the simulation
    */
   public WindField(Wind wind, long seed) {
     this.wind = wind;
@@ -52,7 +58,7 @@ public final class WindField {
     return waves;
   }
 
-  /** Velocity of the air, room frame [m/s]. */
+  /** Returns the velocity of the air, in the room frame [m/s]. */
   public Vec3 at(SimTime time) {
     if (amplitude == 0) {
       return wind.mean();

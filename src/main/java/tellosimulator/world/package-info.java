@@ -1,10 +1,11 @@
 /**
- * What stands around the drones.
+ * The surroundings of the drones.
  *
- * <p>{@link tellosimulator.world.Arena} is the room with all that is in it: obstacles, mission pads
- * and wind; {@link tellosimulator.world.Room} is the box in which drones fly. They say where a body
- * is stopped and by what. Everything here is immutable and for any thread. The package imports
- * {@code math}, {@code time} and {@code words}. What a collision does to a drone is not its job:
- * that is the controller's.
+ * <p>{@link tellosimulator.world.Arena} is the room with its contents: obstacles, mission pads and
+ * wind. {@link tellosimulator.world.Room} is the box in which drones fly. The room and {@link
+ * tellosimulator.world.Obstacles} determine where a body is stopped, and by which object. All
+ * public types are immutable except {@link tellosimulator.world.ObstacleNames}. The package imports
+ * {@code math}, {@code time} and {@code words}. The {@code controller} determines the effect of a
+ * collision on a drone.
  */
 package tellosimulator.world;

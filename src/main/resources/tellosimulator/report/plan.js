@@ -4,16 +4,16 @@ const plan = {
   markers: [],
 
   build() {
-    const {width, depth, grid} = data.room;
+    const {width, depth, grid, measured} = data.room;
     const size = Math.max(width, depth);
     const box = document.getElementById('plan');
     this.unit = size / 100 * Math.max(1, 540 / Math.max(200, box.clientWidth)); // smaller on a phone, but not illegible
     const margin = 5 * this.unit;
     const svg = draw('svg', {role: 'img', 'aria-label': this.words(),
       viewBox: [-width / 2 - margin, -depth / 2 - margin, width + 2 * margin, depth + 2 * margin].join(' ')});
-    svg.append(draw('rect', {class: 'floor', x: -width / 2, y: -depth / 2, width, height: depth, 'stroke-width': this.unit}));
+    svg.append(draw('rect', {class: 'floor', x: -width / 2, y: -depth / 2, width, height: depth, 'stroke-width': measured ? this.unit : 0}));
     svg.append(this.grid(width, depth, grid));
-    svg.append(draw('text', {class: 'side', x: 0, y: -depth / 2 - 1.5 * this.unit, 'font-size': 2.6 * this.unit}, say('front')));
+    if (measured) svg.append(draw('text', {class: 'side', x: 0, y: -depth / 2 - 1.5 * this.unit, 'font-size': 2.6 * this.unit}, say('front')));
     this.goals = data.goalPlaces.map(goal => this.goal(goal));
     svg.append(...this.goals.map(goal => goal.area));
     for (const thing of data.things) svg.append(this.thing(thing));
@@ -34,6 +34,7 @@ const plan = {
 
   words() {
     const things = data.things.map(thing => thing.name).filter(name => name).join(', ');
+    if (!data.room.measured) return say('plan-words-flown', data.marks.length);
     return say('plan-words', figure(data.room.width), figure(data.room.depth), things || say('nothing'), data.marks.length);
   },
 

@@ -134,6 +134,15 @@ function tell() {
     goals.append(make('li', {}, make('span', {class: done ? 'sign good' : 'sign', 'aria-hidden': 'true'}, done ? '✓' : '○'), make('span', {}, text), when));
   }
   if (data.goals.length === 0) document.querySelector('.goals').remove();
+  const score = document.getElementById('score');
+  if (data.score) {
+    score.caption.append(data.score.total);
+    for (const {t, won, points, why} of data.score.entries) {
+      const when = make('button', {type: 'button', class: 'link'}, seconds(t));
+      when.addEventListener('click', () => clock.set(t));
+      score.tBodies[0].append(make('tr', {}, make('th', {class: won ? 'good' : 'bad', scope: 'row'}, points), make('td', {}, why), make('td', {}, when)));
+    }
+  } else score.remove();
   const facts = document.getElementById('facts');
   for (const [name, text] of data.facts) {
     const date = name === say('fact.begun') ? new Date(text) : undefined;

@@ -66,7 +66,7 @@ class InvocationTest {
     assertThat(told()).isEqualTo("The options are wrong. Try --help.");
   }
 
-  /** Whoever runs the program reports it as an error of the program. */
+  /** The caller reports it as an error of the program. */
   @Test
   void anErrorOfTheActionIsNoMistakeInTheOptions() {
     Action broken =

@@ -28,17 +28,20 @@ import tellosimulator.testing.GeneratedPage;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.camera.DroneOptics;
 
-/** {@code docs/options.md} has every option, subcommand, exit code and console command. */
+/**
+ * Checks that {@code docs/options.md} contains every option, subcommand, exit code and console
+ * command.
+ */
 class OptionsPageTest {
 
   private static final GeneratedPage PAGE = new GeneratedPage("options");
 
   private static final IVersionProvider VERSION = () -> new String[] {""};
 
-  /** {@code {{kind word...}}}. */
+  /** A placeholder {@code {{kind word...}}}. */
   private static final Pattern PART = Pattern.compile("\\{\\{(\\w+) ?([^}]*)}}");
 
-  /** The name of an option in a text, unless it is code already. */
+  /** The name of an option in a text, unless it is already marked as code. */
   private static final Pattern OPTION = Pattern.compile("(?<![\\w`-])--[a-z][a-z-]*");
 
   private static final Pattern DEFAULT = Pattern.compile("(.*) Default: (.*)\\.");
@@ -112,7 +115,7 @@ class OptionsPageTest {
     return withCode(cell).replace("|", "\\|");
   }
 
-  /** A text in which names of options are code. */
+  /** Returns a text with the names of options marked as code. */
   private static String withCode(String text) {
     return OPTION.matcher(text).replaceAll("`$0`");
   }
@@ -157,7 +160,7 @@ class OptionsPageTest {
             String.join(" ", spec.usageMessage().footer()).strip());
   }
 
-  /** The answer to {@code help} of a program without a window. */
+  /** Returns the response to {@code help} of a program without a window. */
   private static String console() throws InterruptedException {
     ByteArrayOutputStream printed = new ByteArrayOutputStream();
     try (HeadlessSimulator simulator =

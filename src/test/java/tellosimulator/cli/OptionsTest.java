@@ -5,9 +5,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -262,6 +265,24 @@ class OptionsTest {
     assertThat(launch.scenario().scenario().config().seed()).isEqualTo(8);
     assertThat(DroneNetwork.of(launch.addresses()).addresses().get(2))
         .containsExactly(at("127.0.0.6", 8879));
+  }
+
+  @Test
+  void aCourseIsDrawnFromTheSeedOfTheOptions(@TempDir Path folder) throws Exception {
+    Path file =
+        Files.writeString(
+            folder.resolve("wind.yaml"), "wind: {speed: 0..2000}\nseed: 3\nname: Windy\n");
+    double drawn = speed(options("--scenario " + file + " --seed 8"));
+
+    assertThat(options("--scenario " + file + " --seed 8").launch().scenario().varies()).isTrue();
+    assertThat(speed(options("--seed 8 --scenario " + file))).isEqualTo(drawn);
+    assertThat(speed(options("--scenario " + file)))
+        .isNotEqualTo(drawn)
+        .isEqualTo(speed(options("--scenario " + file + " --seed 3")));
+  }
+
+  private static double speed(Options options) {
+    return options.launch().scenario().scenario().config().arena().wind().mean().norm();
   }
 
   @Test

@@ -9,6 +9,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.controller.FlightEvent;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.SimTime;
@@ -33,12 +34,11 @@ class CommandFuzzTest {
     OperatorSession session = new OperatorSession(OperatorRule.FIRST, 8890, 11_111, link -> {});
     session.open(HandlerFixture.OPERATOR, SimTime.ZERO, true);
     CommandHandler handler =
-        CommandHandler.of(profile, behavior)
-            .target(target)
-            .session(session)
-            .replies((peer, text) -> counts.sent++)
-            .observer(counts)
-            .build();
+        new CommandHandler(
+            profile,
+            behavior,
+            target,
+            new CommandHandler.Ends(session, datagram -> counts.sent++, counts));
     GarbageSource garbage = new GarbageSource(seed);
     List<Peer> peers = List.of(HandlerFixture.OPERATOR, HandlerFixture.peer(2, 1));
     Random random = new Random(seed);
@@ -69,7 +69,7 @@ class CommandFuzzTest {
     assertThat(session.link().sdkMode()).isTrue();
   }
 
-  /** A copy has no consequence but the first one's answer once more. */
+  /** Returns whether a text may be a copy, which only repeats the reply to the original. */
   private static boolean mayBeCopy(Profile profile, String text) {
     return profile.hasPads() && text.startsWith("Re") && text.length() >= 7;
   }
@@ -85,7 +85,13 @@ class CommandFuzzTest {
     }
 
     @Override
-    public void received(Peer peer, String text) {}
+    public void happened(FlightEvent event) {}
+
+    @Override
+    public void operatorChanged(OperatorSession.Takeover takeover, OperatorEndpoint link) {}
+
+    @Override
+    public void received(Request request) {}
 
     @Override
     public void ignored(Peer peer, String text, Phrase reason) {
@@ -98,17 +104,17 @@ class CommandFuzzTest {
     }
 
     @Override
-    public void replied(Peer peer, String text, Reply reply) {
+    public void replied(Request request, Reply reply) {
       replied++;
     }
 
     @Override
-    public void failed(Peer peer, String text, Reply reply, Phrase reason) {
+    public void failed(Request request, Reply reply, Phrase reason) {
       throw new AssertionError("nothing was begun that could fail: " + reason);
     }
 
     @Override
-    public void refused(Peer peer, String text, Reply reply, Phrase reason) {
+    public void refused(Request request, Reply reply, Phrase reason) {
       refused++;
       if (reason.english().isBlank()) {
         throw new AssertionError("no reason for " + reply);

@@ -24,7 +24,7 @@ import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.words.Phrase;
 
-/** What the handler does with texts that are no commands, and in which order it checks the rest. */
+/** The handling of texts that are not commands, and the order of the checks of all others. */
 class CommandHandlerTest {
 
   private static final String UNKNOWN = "unknown command: ";
@@ -61,35 +61,23 @@ class CommandHandlerTest {
 
     drone.handle(escaped.translateEscapes());
 
-    assertThat(drone.carriedOut()).containsExactly("enterSdkMode EnterSdkMode[]");
+    assertThat(drone.carriedOut()).containsExactly("EnterSdkMode[]");
   }
 
   @Test
   void withoutPowerSdkModeIsForgotten() {
     HandlerFixture drone = HandlerFixture.grounded(EDU, REPORT);
 
-    drone.handler.powerOff();
+    drone.session.close();
     drone.handle("battery?");
 
     assertThat(drone.carriedOut()).isEmpty();
     assertThat(drone.takeReplies()).isEmpty();
   }
 
-  @ParameterizedTest
-  @ValueSource(strings = {"\u00cc\u0018\u0001\u00b9", "conn_req:\u0096\u0017", "\u00cc"})
-  void theAppsBinaryProtocolIsIgnoredInSdkMode(String text) {
-    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+  // --- syntax ---
 
-    drone.handle(text);
-
-    assertThat(drone.carriedOut()).isEmpty();
-    assertThat(drone.takeReplies()).isEmpty();
-    verify(drone.observer).ignored(eq(OPERATOR), eq(text), saying("binary protocol"));
-  }
-
-  // --- form ---
-
-  /** Two simulators whose ports point at each other would answer each other without end. */
+  /** Two simulators whose ports point at each other would answer each other forever. */
   @Test
   void anEchoOfAnotherDroneIsNotEchoed() {
     HandlerFixture drone = HandlerFixture.flying(Profile.EDU, Behavior.REPORT);
@@ -126,38 +114,38 @@ class CommandHandlerTest {
 
     drone.handle(text);
 
-    verify(drone.observer).refused(any(), eq(text), any(), saying(reason));
+    verify(drone.observer).refused(request(text), any(), saying(reason));
   }
 
-  /** A lone `x` of the guide would be taken for a coordinate. */
+  /** The lone `x` of the guide would be mistaken for a coordinate. */
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       textBlock =
           """
-          up 600          | the distance is 600, allowed is 20 to 500 cm
-          back 19         | the distance is 19, allowed is 20 to 500 cm
-          speed 101       | the speed is 101, allowed is 10 to 100 cm/s
-          flip x          | the direction is x, allowed is one of b, back, f
-          go 501 0 0 50   | x is 501, allowed is -500 to 500 cm
-          go 50 0 -501 50 | z is -501, allowed is -500 to 500 cm
-          go 50 0 0 101   | the speed is 101, allowed is 10 to 100 cm/s
-          curve 50 50 0 100 0 0 61 | the speed is 61, allowed is 10 to 60 cm/s
-          mdirection 3    | the direction is 3, allowed is 0 to 2
-          mdirection 0.5  | the direction is 0.5, it must be a whole number
-          wifisetchannel 15 | the channel is 15, allowed is 1 to 14
-          setfps most     | the frame rate is most, allowed is one of high, middle, low
-          setbitrate 6    | the bit rate is 6, allowed is 0 to 5
-          setresolution 5 | the resolution is 5, allowed is one of high, low
-          downvision 2    | the camera is 2, allowed is 0 to 1
-          EXT mled sl 256 | the brightness is 256, allowed is 0 to 255
+          up 600          | the distance is 600, but must be from 20 to 500 cm
+          back 19         | the distance is 19, but must be from 20 to 500 cm
+          speed 101       | the speed is 101, but must be from 10 to 100 cm/s
+          flip x          | the direction is x, but must be one of b, back, f
+          go 501 0 0 50   | x is 501, but must be from -500 to 500 cm
+          go 50 0 -501 50 | z is -501, but must be from -500 to 500 cm
+          go 50 0 0 101   | the speed is 101, but must be from 10 to 100 cm/s
+          curve 50 50 0 100 0 0 61 | the speed is 61, but must be from 10 to 60 cm/s
+          mdirection 3    | the direction is 3, but must be from 0 to 2
+          mdirection 0.5  | the direction is 0.5, but must be a whole number
+          wifisetchannel 15 | the channel is 15, but must be from 1 to 14
+          setfps most     | the frame rate is most, but must be one of high, middle, low
+          setbitrate 6    | the bit rate is 6, but must be from 0 to 5
+          setresolution 5 | the resolution is 5, but must be one of high, low
+          downvision 2    | the camera is 2, but must be from 0 to 1
+          EXT mled sl 256 | the brightness is 256, but must be from 0 to 255
           """)
   void aValueOutOfRangeIsCalledWhatItIs(String text, String reason) {
     HandlerFixture drone = HandlerFixture.flying(Profile.TT, Behavior.REPORT);
 
     drone.handle(text);
 
-    verify(drone.observer).refused(any(), eq(text), any(), saying(reason));
+    verify(drone.observer).refused(request(text), any(), saying(reason));
   }
 
   @ParameterizedTest
@@ -191,7 +179,7 @@ class CommandHandlerTest {
       assertThat(drone.carriedOut()).isEmpty();
       assertThat(drone.takeReplies()).hasSize(1).allMatch(reply -> reply.startsWith(UNKNOWN));
     } else {
-      assertThat(drone.carriedOut()).containsExactly(method + " Takeoff[]");
+      assertThat(drone.carriedOut()).containsExactly("Takeoff[]");
       assertThat(drone.takeReplies()).isEmpty();
     }
   }
@@ -268,13 +256,12 @@ class CommandHandlerTest {
 
     drone.handle(text);
 
-    // One blank at the end is dropped before anything else, of two the other one stays.
+    // One blank at the end is dropped before everything else; of two blanks, one remains.
     String echo = text.endsWith(" ") ? text.substring(0, text.length() - 1) : text;
     assertThat(drone.takeReplies()).containsExactly(UNKNOWN + echo);
     assertThat(drone.carriedOut()).isEmpty();
-    verify(drone.observer, never()).replied(any(), any(), any());
-    verify(drone.observer)
-        .refused(eq(OPERATOR), eq(echo), eq(new Reply(UNKNOWN + echo)), any(Phrase.class));
+    verify(drone.observer, never()).replied(any(), any());
+    verify(drone.observer).refused(request(echo), eq(new Reply(UNKNOWN + echo)), any(Phrase.class));
   }
 
   @Test
@@ -361,7 +348,7 @@ class CommandHandlerTest {
 
     assertThat(number).hasSizeLessThanOrEqualTo(15);
     assertThat(drone.carriedOut())
-        .containsExactly("move Move[direction=FORWARD, distance=" + meters + "]");
+        .containsExactly("Move[direction=FORWARD, distance=" + meters + "]");
   }
 
   // --- length ---
@@ -374,7 +361,7 @@ class CommandHandlerTest {
     drone.handle(text);
 
     assertThat(text).hasSize(1024);
-    assertThat(drone.carriedOut()).containsExactly("setNetwork SetNetwork[done=Reply[text=ok]]");
+    assertThat(drone.carriedOut()).containsExactly("SetNetwork[done=Reply[text=ok]]");
   }
 
   @ParameterizedTest
@@ -442,7 +429,7 @@ class CommandHandlerTest {
     assertThat(drone.takeReplies()).containsExactly(UNKNOWN + "x".repeat(1024));
   }
 
-  // --- the order of checks: form, busy, range, motors ---
+  // --- the order of checks: syntax, busy, range, motors ---
 
   @ParameterizedTest
   @CsvSource(
@@ -498,8 +485,7 @@ class CommandHandlerTest {
 
     verify(drone.observer)
         .refused(
-            OPERATOR,
-            "cw 90",
+            new Request(1, OPERATOR, "cw 90"),
             Reply.NOT_JOYSTICK,
             HandlerFixture.phrase("`up 100` is still running"));
   }
@@ -517,7 +503,7 @@ class CommandHandlerTest {
     assertThat(drone.takeReplies()).containsExactly(UNKNOWN + "foo", "out of range");
   }
 
-  // --- answers ---
+  // --- replies ---
 
   @Test
   void anAnswerGoesToTheSenderOfTheCommandOnly() {
@@ -530,8 +516,8 @@ class CommandHandlerTest {
     drone.after(0);
 
     assertThat(drone.sent).containsExactly(new HandlerFixture.Sent(restarted, "ok"));
-    verify(drone.observer).received(restarted, "forward 50");
-    verify(drone.observer).replied(restarted, "forward 50", Reply.OK);
+    verify(drone.observer).received(new Request(1, restarted, "forward 50"));
+    verify(drone.observer).replied(new Request(1, restarted, "forward 50"), Reply.OK);
   }
 
   @ParameterizedTest
@@ -609,11 +595,15 @@ class CommandHandlerTest {
     drone.handle("emergency");
     drone.after(60);
 
-    assertThat(drone.carriedOut()).containsExactly("emergency Emergency[]");
+    assertThat(drone.carriedOut()).containsExactly("Emergency[]");
     assertThat(drone.takeReplies()).isEmpty();
   }
 
   private static Phrase saying(String part) {
     return argThat(phrase -> phrase.english().contains(part));
+  }
+
+  private static Request request(String text) {
+    return argThat(request -> request.peer().equals(OPERATOR) && request.text().equals(text));
   }
 }

@@ -17,13 +17,13 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 
-/** Each row of the table of commands: what is accepted and becomes what, and what is refused. */
+/** Each row of the command table, with accepted texts and their commands, and refused texts. */
 class CommandTableTest {
 
-  /** Row; text; method of the target; record. Metres, metres a second, radians to the left. */
+  /** Row; text; method of the target; record. Metres, metres per second, radians to the left. */
   private static final List<Accepted> ACCEPTED = Accepted.read(CommandCases.ACCEPTED);
 
-  /** Row; text; reply. The drone flies and is not busy. */
+  /** Row; text; reply. The drone is flying and is not busy. */
   private static final List<Refused> REFUSED = Refused.read(CommandCases.REFUSED);
 
   record Accepted(CommandSyntax row, String text, String call) {
@@ -93,7 +93,7 @@ class CommandTableTest {
     assertThat(drone.carriedOut()).isEmpty();
   }
 
-  /** A letter in capitals makes the command unknown; nothing else is wrong with these texts. */
+  /** Only the upper-case letter makes the command unknown; otherwise the texts are valid. */
   @ParameterizedTest
   @MethodSource("accepted")
   void isUnknownWhenItsFirstLetterChangesCase(Accepted accepted) {
@@ -154,7 +154,10 @@ class CommandTableTest {
     }
   }
 
-  /** Report: while a command runs all are refused but these; measured: also reads and `land`. */
+  /**
+   * Report: while a command runs, all others except these are refused. Measured: reads and `land`
+   * are carried out as well.
+   */
   @ParameterizedTest
   @EnumSource(Behavior.class)
   void whileAnotherCommandRunsOnlyTheseAreCarriedOut(Behavior behavior) {

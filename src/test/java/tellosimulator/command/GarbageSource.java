@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * An endless source of texts such as a command socket should survive: random bytes, commands that
- * are cut, mutated or mixed up, numbers of all kinds, and now and then something sensible. The same
+ * An endless source of texts that a command socket must survive: random bytes, commands that are
+ * truncated, mutated or mixed up, numbers of all kinds, and now and then a valid command. The same
  * seed gives the same texts.
  */
 public final class GarbageSource {
@@ -125,7 +125,7 @@ public final class GarbageSource {
     this.random = new Random(seed);
   }
 
-  /** The next text, one character a byte. */
+  /** Returns the next text, one character per byte. */
   public String next() {
     int kind = random.nextInt(100);
     if (kind < 20) {

@@ -10,21 +10,16 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.mockito.invocation.Invocation;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
-/** A handler in SDK mode whose target is mocked and whose replies are kept. */
+/** A handler in SDK mode with a mocked target and recorded replies. */
 final class HandlerFixture {
 
   static final Peer OPERATOR = peer(1, 40_001);
-
-  /** What a target is asked or told besides the commands themselves. */
-  private static final Set<String> NO_COMMANDS =
-      Set.of("running", "flying", "notFlying", "unactivated", "linkAlive", "commandArrived");
 
   /** A reply that went out. */
   record Sent(Peer peer, String text) {}
@@ -38,27 +33,29 @@ final class HandlerFixture {
 
   private HandlerFixture(Profile profile, Behavior behavior) {
     handler =
-        CommandHandler.of(profile, behavior)
-            .target(target)
-            .session(session)
-            .replies((peer, text) -> sent.add(new Sent(peer, text)))
-            .observer(observer)
-            .build();
+        new CommandHandler(
+            profile,
+            behavior,
+            target,
+            new CommandHandler.Ends(
+                session,
+                datagram -> sent.add(new Sent(datagram.peer(), datagram.text())),
+                observer));
   }
 
-  /** A drone that just got its power: it waits for {@code command}. */
+  /** Returns the handler of a drone that was just switched on, which waits for {@code command}. */
   static HandlerFixture fresh(Profile profile, Behavior behavior) {
     return new HandlerFixture(profile, behavior);
   }
 
-  /** In SDK mode, on the ground. */
+  /** Returns a handler in SDK mode, on the ground. */
   static HandlerFixture grounded(Profile profile, Behavior behavior) {
     HandlerFixture fixture = new HandlerFixture(profile, behavior);
     fixture.session.open(OPERATOR, SimTime.ZERO, true);
     return fixture;
   }
 
-  /** In SDK mode, flying. */
+  /** Returns a handler in SDK mode, in flight. */
   static HandlerFixture flying(Profile profile, Behavior behavior) {
     HandlerFixture fixture = grounded(profile, behavior);
     when(fixture.target.flying()).thenReturn(true);
@@ -70,7 +67,7 @@ final class HandlerFixture {
     return this;
   }
 
-  /** Words that are the same in all languages. */
+  /** Returns a phrase that is equal in all languages. */
   static Phrase phrase(String words) {
     return Phrase.of("%s", words);
   }
@@ -88,18 +85,18 @@ final class HandlerFixture {
     now = now.plus(seconds);
   }
 
-  /** The commands that were carried out: name of the target's method, then the record. */
+  /** The commands that were carried out. */
   List<String> carriedOut() {
-    return calls().stream().map(call -> call.getMethod().getName() + " " + record(call)).toList();
+    return calls().stream().map(call -> call.getArgument(0).toString()).toList();
   }
 
-  /** What came with the last command that was carried out. */
+  /** Returns the responder of the last command that was carried out. */
   Responder responder() {
     List<Invocation> calls = calls();
     return calls.get(calls.size() - 1).getArgument(1);
   }
 
-  /** The texts of the replies since this was asked last, all of them to the operator. */
+  /** Returns the texts of the replies since the last call, all of them to the operator. */
   List<String> takeReplies() {
     List<String> texts = new ArrayList<>();
     for (Sent reply : sent) {
@@ -109,7 +106,7 @@ final class HandlerFixture {
     return texts;
   }
 
-  /** A peer on 127.0.0.{@code host}. */
+  /** Returns a peer on 127.0.0.{@code host}. */
   static Peer peer(int host, int port) {
     try {
       InetAddress address = InetAddress.getByAddress(new byte[] {127, 0, 0, (byte) host});
@@ -121,18 +118,14 @@ final class HandlerFixture {
     }
   }
 
-  /** The bytes of a text in UTF-8, each as one character, as they come from the wire. */
+  /** Returns the bytes of a text in UTF-8, each as one character, as they arrive from the wire. */
   static String wire(String text) {
     return new String(text.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
   }
 
   private List<Invocation> calls() {
     return mockingDetails(target).getInvocations().stream()
-        .filter(call -> !NO_COMMANDS.contains(call.getMethod().getName()))
+        .filter(call -> call.getMethod().getName().equals("carryOut"))
         .toList();
-  }
-
-  private static String record(Invocation call) {
-    return call.getArgument(0).toString();
   }
 }

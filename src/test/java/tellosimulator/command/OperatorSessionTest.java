@@ -20,7 +20,7 @@ class OperatorSessionTest {
   private static final Peer OTHER = peer(9, 40_001);
   private static final Optional<Peer> NOBODY = Optional.empty();
 
-  private final List<Link> links = new ArrayList<>();
+  private final List<OperatorEndpoint> links = new ArrayList<>();
   private final OperatorSession session = session(OperatorRule.FIRST);
 
   private OperatorSession session(OperatorRule rule) {
@@ -38,7 +38,7 @@ class OperatorSessionTest {
   @Test
   void theSenderOfTheFirstCommandIsTheOperator() {
     assertThat(session.open(OPERATOR, at(3), true)).contains(new Takeover(OPERATOR, NOBODY));
-    assertThat(session.link()).isEqualTo(new Link(Optional.of(OPERATOR), 8890, 11_111));
+    assertThat(session.link()).isEqualTo(OperatorEndpoint.raw(Optional.of(OPERATOR), 8890, 11_111));
     assertThat(links).containsExactly(session.link());
     assertThat(session.wantsState(at(3))).isTrue();
     assertThat(session.admits(OPERATOR)).isTrue();
@@ -140,10 +140,10 @@ class OperatorSessionTest {
     session.open(OPERATOR, at(0), true);
 
     assertThat(session.setPorts(OPERATOR, 9000, 9001)).isTrue();
-    assertThat(session.link()).isEqualTo(new Link(Optional.of(OPERATOR), 9000, 9001));
+    assertThat(session.link()).isEqualTo(OperatorEndpoint.raw(Optional.of(OPERATOR), 9000, 9001));
 
     session.close();
-    assertThat(session.link()).isEqualTo(new Link(NOBODY, 8890, 11_111));
+    assertThat(session.link()).isEqualTo(OperatorEndpoint.raw(NOBODY, 8890, 11_111));
     assertThat(links).last().isEqualTo(session.link());
   }
 
@@ -156,7 +156,7 @@ class OperatorSessionTest {
 
     session.setPorts(OPERATOR, 9000, 9001);
     session.open(OTHER, at(60), true);
-    assertThat(session.link()).isEqualTo(new Link(Optional.of(OTHER), 8890, 11_111));
+    assertThat(session.link()).isEqualTo(OperatorEndpoint.raw(Optional.of(OTHER), 8890, 11_111));
   }
 
   @Test

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.profile.Profile;
 
-/** The header with which clients repeat a command: executed once, each copy answered. */
+/** The header of repeated commands: each is executed once, and each copy is answered. */
 class RetransmissionTest {
 
   @ParameterizedTest
@@ -30,7 +30,7 @@ class RetransmissionTest {
     drone.responder().reply(Reply.OK);
     drone.after(0);
 
-    assertThat(drone.carriedOut()).containsExactly("takeoff Takeoff[]");
+    assertThat(drone.carriedOut()).containsExactly("Takeoff[]");
     assertThat(drone.takeReplies()).containsExactly("Re0101 ok");
   }
 
@@ -43,7 +43,7 @@ class RetransmissionTest {
     drone.responder().reply(Reply.OK);
     drone.after(0);
 
-    assertThat(drone.carriedOut()).containsExactly("land Land[]");
+    assertThat(drone.carriedOut()).containsExactly("Land[]");
     assertThat(drone.takeReplies()).containsExactly(header + "ok");
   }
 
@@ -54,7 +54,7 @@ class RetransmissionTest {
     drone.handle("Re     takeoff");
     drone.handle("Re    \1takeoff");
 
-    assertThat(drone.carriedOut()).containsExactly("takeoff Takeoff[]");
+    assertThat(drone.carriedOut()).containsExactly("Takeoff[]");
     assertThat(drone.takeReplies()).containsExactly("unknown command: Re    \1takeoff");
   }
 
@@ -71,7 +71,7 @@ class RetransmissionTest {
     drone.responder().reply(Reply.OK);
     drone.after(0);
 
-    assertThat(drone.carriedOut()).containsExactly("move Move[direction=FORWARD, distance=0.5]");
+    assertThat(drone.carriedOut()).containsExactly("Move[direction=FORWARD, distance=0.5]");
     assertThat(drone.takeReplies()).containsExactly("Re0101 ok", "Re0102 ok", "Re0103 ok");
   }
 
@@ -137,16 +137,16 @@ class RetransmissionTest {
 
     assertThat(drone.carriedOut())
         .containsExactly(
-            "move Move[direction=FORWARD, distance=0.5]",
-            "move Move[direction=FORWARD, distance=0.5]",
-            "move Move[direction=BACK, distance=0.5]");
+            "Move[direction=FORWARD, distance=0.5]",
+            "Move[direction=FORWARD, distance=0.5]",
+            "Move[direction=BACK, distance=0.5]");
   }
 
   @Test
   void aLateCopyOfAnOlderIndexIsAnsweredAsItWasAndNotFlownAgain() {
     HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
-    String forward = "move Move[direction=FORWARD, distance=0.5]";
-    String back = "move Move[direction=BACK, distance=0.5]";
+    String forward = "Move[direction=FORWARD, distance=0.5]";
+    String back = "Move[direction=BACK, distance=0.5]";
 
     drone.handle("Re0101 forward 50");
     drone.responder().reply(Reply.OK);
@@ -200,12 +200,7 @@ class RetransmissionTest {
 
     assertThat(drone.carriedOut())
         .containsExactly(
-            "enterSdkMode EnterSdkMode[]",
-            "takeoff Takeoff[]",
-            "land Land[]",
-            "enterSdkMode EnterSdkMode[]",
-            "takeoff Takeoff[]",
-            "land Land[]");
+            "EnterSdkMode[]", "Takeoff[]", "Land[]", "EnterSdkMode[]", "Takeoff[]", "Land[]");
   }
 
   @Test
@@ -298,7 +293,7 @@ class RetransmissionTest {
   void withoutPowerCopiesAreForgotten() {
     HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
     drone.handle("Re0101 command");
-    drone.handler.powerOff();
+    drone.handler.forgetCopies();
 
     drone.handle("Re0102 command");
 
@@ -356,6 +351,6 @@ class RetransmissionTest {
 
     drone.handle(text + "p".repeat(1024 - text.length()));
 
-    assertThat(drone.carriedOut()).containsExactly("setNetwork SetNetwork[done=Reply[text=ok]]");
+    assertThat(drone.carriedOut()).containsExactly("SetNetwork[done=Reply[text=ok]]");
   }
 }

@@ -15,15 +15,10 @@ class WireTextTest {
       all[i] = (byte) i;
     }
 
-    String text = WireText.decode(all, all.length);
+    String text = WireText.decode(all);
 
     assertThat(text).hasSize(256);
     assertThat(WireText.encode(text)).isEqualTo(all);
-  }
-
-  @Test
-  void onlyTheReceivedBytesOfABufferAreDecoded() {
-    assertThat(WireText.decode(new byte[] {'o', 'k', 'x'}, 2)).isEqualTo("ok");
   }
 
   @ParameterizedTest

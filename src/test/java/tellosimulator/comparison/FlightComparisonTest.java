@@ -20,7 +20,7 @@ import tellosimulator.comparison.Tolerance.Aspect;
 import tellosimulator.recording.RecordingFixture;
 import tellosimulator.recording.UnreadableRecordingException;
 
-/** Recordings with nothing but the wire, as those of real drones. */
+/** Compares recordings that contain only datagrams, like those of real drones. */
 class FlightComparisonTest {
 
   private static final String RUN =
@@ -31,14 +31,14 @@ class FlightComparisonTest {
   @TempDir private Path folder;
   private int flights;
 
-  /** Writes a wire with commands that follow each other, and state lines each 0.1 s. */
+  /** Writes datagrams: consecutive commands, and a state line every 0.1 s. */
   private static final class Wire {
     private final StringBuilder lines = new StringBuilder();
     private double time;
     private double yaw;
     private double height;
 
-    /** A drone that looks somewhere when it is switched on [degrees]. */
+    /** Creates a drone with an initial yaw [degrees]. */
     Wire(double yaw) {
       this.yaw = yaw;
     }
@@ -47,7 +47,7 @@ class FlightComparisonTest {
       return moving(text, seconds, reply, 0, 0, 0);
     }
 
-    /** It flies so fast over the ground [dm/s], climbs [cm] and turns [degrees]. */
+    /** Sets the drone's speed over the ground [dm/s], its climb [cm] and its turn [degrees]. */
     Wire moving(
         String text, double seconds, String reply, double speed, double climb, double turn) {
       line("in", "command", time, text);

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import tellosimulator.testing.CapturedLog;
 
-/** What is said about a failure. */
+/** Tests the messages about failures. */
 class ErrorPolicyTest {
 
   private final CapturedLog log = CapturedLog.of(ErrorPolicy.class);
@@ -54,7 +54,7 @@ class ErrorPolicyTest {
     ILoggingEvent event = log.event();
     assertThat(event.getFormattedMessage())
         .isEqualTo(
-            "A picture failed (312 times more since it was told); please report this:"
+            "A picture failed (312 more times since the last message); please report this:"
                 + " java.lang.StackOverflowError");
     assertThat(event.getLevel()).isEqualTo(Level.ERROR);
   }

@@ -4,7 +4,7 @@ import java.lang.Thread.UncaughtExceptionHandler;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
-/** Takes what threads do not catch, as the program does, until it is closed. */
+/** Handles uncaught exceptions of threads, like the program, until it is closed. */
 public final class Uncaught implements AutoCloseable {
 
   private final UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
@@ -21,7 +21,7 @@ public final class Uncaught implements AutoCloseable {
         });
   }
 
-  /** Waits for the first. */
+  /** Waits for the first uncaught exception. */
   public Throwable await() throws InterruptedException {
     if (!came.await(20, TimeUnit.SECONDS)) {
       throw new AssertionError("nothing was left uncaught");
@@ -29,7 +29,7 @@ public final class Uncaught implements AutoCloseable {
     return failure;
   }
 
-  /** Whose it was. */
+  /** The thread that threw it. */
   public Thread thread() {
     return thread;
   }

@@ -32,7 +32,7 @@ class WorkerTest {
     log.close();
   }
 
-  /** Throws at the first calls, and then waits for its end. */
+  /** Throws in its first calls, and then waits until it is ended. */
   private static class Failing implements Agent {
 
     final AtomicInteger calls = new AtomicInteger();
@@ -117,7 +117,7 @@ class WorkerTest {
       assertThat(worker.hasEnded()).as("before its failure is reported").isTrue();
       assertThat(worker.failure()).containsSame(failure);
       assertThat(agent.closed).hasValue(1);
-      // 1000 / 10 and 1000 / 40: what a failure adds to a bucket of that size
+      // 1000 / 10 and 1000 / 40: bucket size divided by the amount that a failure adds
       assertThat(agent.calls).hasValue(failure instanceof OutOfMemoryError ? 25 : 100);
       assertThat(log.next()).startsWith("Work failed");
     }

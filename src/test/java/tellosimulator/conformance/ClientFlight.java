@@ -11,13 +11,13 @@ import java.util.List;
 import tellosimulator.testing.Jvm;
 import tellosimulator.testing.Tool;
 
-/** One run of {@code conformance/run.py}, whose lines go to the output of the build. */
+/** A run of {@code conformance/run.py}, whose output is part of the build's output. */
 final class ClientFlight {
 
   /** A client, a tool or the jar is missing. Source: {@code run.py}. */
   private static final int MISSING = 77;
 
-  /** The kernel lets nobody make a private network. Source: {@code run.py}. */
+  /** The kernel does not allow private networks. Source: {@code run.py}. */
   private static final int FORBIDDEN = 78;
 
   private static final boolean MUST_FLY = "true".equals(System.getenv("CI"));
@@ -25,7 +25,7 @@ final class ClientFlight {
   private ClientFlight() {}
 
   /**
-   * Flies, and fails unless all went well; skips the test if the client cannot fly here.
+   * Flies, and fails unless everything succeeded; skips the test if the client cannot fly here.
    *
    * @param arguments of {@code run.py}
    */
@@ -54,12 +54,12 @@ final class ClientFlight {
     return words.toArray(String[]::new);
   }
 
-  /** The program that is flown. */
+  /** Returns the path of the tested jar. */
   static String jar() {
     return System.getProperty("simulator.jar", "target/tello-simulator.jar");
   }
 
-  /** Skips the test; fails it where all must be installed. */
+  /** Skips the test, or fails it where all tools must be installed. */
   private static void cannotFly(String reason) {
     if (MUST_FLY) {
       fail(reason);

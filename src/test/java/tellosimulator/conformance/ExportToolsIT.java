@@ -15,7 +15,7 @@ import tellosimulator.recording.RecordingFixture;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** What other people's tools make of exported recordings. */
+/** Checks exported recordings with third-party tools. */
 @Timeout(120)
 class ExportToolsIT {
 

@@ -14,7 +14,10 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** What a project inherits that has the simulator as a dependency; src/it/consumer is one. */
+/**
+ * Checks the dependencies of a project that uses the simulator as a library, as src/it/consumer
+ * does.
+ */
 @Tag("slow")
 class LibraryIT {
 
@@ -23,11 +26,11 @@ class LibraryIT {
   private static final Pattern ARTIFACT =
       Pattern.compile("\\s*([\\w.-]+:[\\w.-]+):jar:.*?:(/.*[.]jar|[A-Z]:.*[.]jar).*");
 
-  /** What a test project has for itself. */
+  /** The test project's own dependencies. */
   private static final Pattern ITS_OWN =
       Pattern.compile("org[.](junit|opentest4j|apiguardian|jspecify).*");
 
-  /** Size of all that is inherited [bytes]. */
+  /** Limit for the total size of all inherited files [bytes]. */
   private static final long MOST = 5_000_000;
 
   @Test
@@ -61,7 +64,7 @@ class LibraryIT {
     assertThat(bytes).isLessThan(MOST);
   }
 
-  /** The files that a project inherits, by group and name. */
+  /** Returns the files that a project inherits, by group and name. */
   private static Map<String, Path> inherited() throws IOException {
     Map<String, Path> files = new TreeMap<>();
     for (String line : Files.readAllLines(LIST)) {

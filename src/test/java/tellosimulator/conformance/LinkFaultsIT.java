@@ -6,16 +6,15 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
 /**
- * Each fault of the link that concerns a share of the datagrams, at 20 % in all directions:
- * programs that repeat what failed fly ten commands with each client. All clients fly at once, each
- * in a network of its own, because they mostly wait.
+ * Tests each link fault that affects a share of the datagrams, at 20 % in all directions: programs
+ * that repeat failed commands fly ten commands with each client. All of them fly at once, each in
+ * its own network, because they mostly wait.
  */
 @NeedsTool(Tool.PYTHON)
 class LinkFaultsIT {
@@ -25,7 +24,7 @@ class LinkFaultsIT {
   private static final List<String> FAULTS =
       List.of("loss 20%", "duplicate 20%", "reorder 20%", "corrupt 20%");
 
-  private final ExecutorService flights = Executors.newFixedThreadPool(CLIENTS.size());
+  private final ExecutorService flights = Executors.newCachedThreadPool();
 
   @AfterEach
   void end() {
@@ -36,12 +35,14 @@ class LinkFaultsIT {
   void programsThatRepeatWhatFailedFlyTenCommands() throws Throwable {
     List<Future<?>> flying = new ArrayList<>();
     for (String client : CLIENTS) {
-      flying.add(
-          flights.submit(
-              () -> {
-                ClientFlight.fly(arguments(client));
-                return null;
-              }));
+      for (String fault : FAULTS) {
+        flying.add(
+            flights.submit(
+                () -> {
+                  ClientFlight.fly("--private-network", client, "--fault", fault);
+                  return null;
+                }));
+      }
     }
     for (Future<?> flight : flying) {
       try {
@@ -50,10 +51,5 @@ class LinkFaultsIT {
         throw e.getCause();
       }
     }
-  }
-
-  private static String[] arguments(String client) {
-    Stream<String> faults = FAULTS.stream().flatMap(fault -> Stream.of("--fault", fault));
-    return Stream.concat(Stream.of("--private-network", client), faults).toArray(String[]::new);
   }
 }

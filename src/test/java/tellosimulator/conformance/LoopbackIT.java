@@ -6,7 +6,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** Clients on the simulator's own machine, with the address and port that this takes. */
+/** Tests clients on the simulator's own machine, configured with its address and port. */
 @NeedsTool(Tool.PYTHON)
 class LoopbackIT {
 

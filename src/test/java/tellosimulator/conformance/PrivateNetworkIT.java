@@ -7,7 +7,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** Clients without any change, in a network where the drone has the address of every drone. */
+/** Tests unchanged clients in a network in which the drone has the address of a real drone. */
 @NeedsTool(Tool.PYTHON)
 class PrivateNetworkIT {
 

@@ -13,7 +13,7 @@ import tellosimulator.testing.Jvm;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** The tests in {@code examples/testing/pytest}, with the runnable jar. */
+/** Runs the tests in {@code examples/testing/pytest} with the runnable jar. */
 @NeedsTool(Tool.PYTHON_CLIENTS)
 class PytestIT {
 

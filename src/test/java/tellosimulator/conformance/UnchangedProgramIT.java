@@ -17,7 +17,7 @@ import tellosimulator.testing.Jvm;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** Programs for real drones, flown by the subcommand {@code run} without one changed character. */
+/** Tests programs for real drones, flown unchanged by the subcommand {@code run}. */
 @NeedsTool({Tool.NAMESPACES, Tool.PYTHON_CLIENTS})
 class UnchangedProgramIT {
 
@@ -61,7 +61,7 @@ class UnchangedProgramIT {
     return file.endsWith("METADATA") && file.toString().contains("djitellopy-");
   }
 
-  /** Runs a program by the subcommand, and returns what both have written. */
+  /** Runs a program with the subcommand, and returns the output of both. */
   private static String run(List<String> words) throws IOException, InterruptedException {
     List<String> command = new ArrayList<>(List.of(Jvm.java(), "-jar"));
     command.addAll(List.of(ClientFlight.jar(), "run", "--headless", "--time-factor", "2"));

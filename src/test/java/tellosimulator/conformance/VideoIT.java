@@ -6,7 +6,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** Clients that look at what the drone films, in real time. */
+/** Tests clients that receive the drone's video, in real time. */
 @NeedsTool(Tool.PYTHON)
 class VideoIT {
 

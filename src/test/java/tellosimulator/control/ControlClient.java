@@ -11,7 +11,7 @@ import java.util.Map;
 import org.snakeyaml.engine.v2.api.Load;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 
-/** The smallest client of the control channel. */
+/** A minimal client of the control channel. */
 public final class ControlClient implements AutoCloseable {
 
   private static final int PATIENCE_MS = 30_000;
@@ -29,7 +29,7 @@ public final class ControlClient implements AutoCloseable {
             new InputStreamReader(socket.getInputStream(), StandardCharsets.US_ASCII));
   }
 
-  /** Sends a line, and returns the next one that comes; null at the end. */
+  /** Sends a line and returns the next line received; null at the end of the stream. */
   String line(String line) throws IOException {
     send(line);
     return read();
@@ -44,7 +44,7 @@ public final class ControlClient implements AutoCloseable {
   }
 
   /**
-   * Asks, and returns the result.
+   * Sends a request and returns the result.
    *
    * @param parameters members of a JSON object, without braces, such as {@code "drone": 1}
    */
@@ -60,7 +60,7 @@ public final class ControlClient implements AutoCloseable {
     return ask(name, "");
   }
 
-  /** Asks for an object. */
+  /** Sends a request whose result is an object. */
   @SuppressWarnings("unchecked")
   public Map<String, Object> object(String name, String parameters) throws IOException {
     return (Map<String, Object>) ask(name, parameters);
@@ -70,7 +70,7 @@ public final class ControlClient implements AutoCloseable {
     return object(name, "");
   }
 
-  /** Asks for a list of objects. */
+  /** Sends a request whose result is a list of objects. */
   @SuppressWarnings("unchecked")
   public List<Map<String, Object>> objects(String name, String parameters) throws IOException {
     return (List<Map<String, Object>>) ask(name, parameters);
@@ -80,7 +80,7 @@ public final class ControlClient implements AutoCloseable {
     return objects(name, "");
   }
 
-  /** Asks for a list. */
+  /** Sends a request whose result is a list. */
   @SuppressWarnings("unchecked")
   public List<Object> list(String name, String parameters) throws IOException {
     return (List<Object>) ask(name, parameters);
@@ -90,7 +90,7 @@ public final class ControlClient implements AutoCloseable {
     return list(name, "");
   }
 
-  /** Asks, and returns the sentence that says what is wrong. */
+  /** Sends a request that fails, and returns the error message. */
   String error(String name, String parameters) throws IOException {
     Map<String, Object> answer = answer(name, parameters);
     if (!Boolean.FALSE.equals(answer.get("ok"))) {

@@ -24,7 +24,7 @@ import tellosimulator.junit.SimulatedDrone;
 import tellosimulator.junit.TelloSimulator;
 import tellosimulator.network.PortTakenException;
 
-/** Each request over a real socket. */
+/** Sends each request over a real socket. */
 @Timeout(60)
 class ControlServerTest {
 
@@ -67,7 +67,7 @@ class ControlServerTest {
     socket.send(new DatagramPacket(bytes, bytes.length, drone.address()));
   }
 
-  // --- what can be asked ---
+  // --- requests ---
 
   @Test
   void dronesTellsWhereProgramsReachThem() throws IOException {
@@ -199,7 +199,7 @@ class ControlServerTest {
     assertThat((Double) truth.get("height")).isBetween(-0.1, 0.1);
   }
 
-  /** The second one asks for less, and is over first. */
+  /** The second client advances the time by less, so its request is completed first. */
   @Test
   void timePassesForAllWhoWaitForIt() throws Exception {
     try (ControlClient other = new ControlClient(server.port(), server.token())) {
@@ -224,8 +224,11 @@ class ControlServerTest {
       Map<String, Object> answer = ControlClient.parsed(other.read());
       assertThat(answer)
           .containsEntry("ok", false)
-          .containsEntry("error", "the simulation began anew before 3600.0 s had passed");
-      assertThat(client.object("advance", "\"seconds\": 2")).containsEntry("seconds", 2.0);
+          .containsEntry("error", "the simulation was restarted before 3600.0 s had passed");
+      Map<String, Object> again = client.object("advance", "\"seconds\": 2");
+      assertThat((Double) again.get("seconds"))
+          .as("a step may have passed since the reset")
+          .isBetween(2.0, 2.01);
     }
   }
 
@@ -259,7 +262,7 @@ class ControlServerTest {
     assertThat(client.objects("journal"))
         .extracting(entry -> entry.get("text"))
         .endsWith("command", "takeoff", "land")
-        .hasSizeBetween(3, 4); // what was on its way may come after the new beginning
+        .hasSizeBetween(3, 4); // a datagram in transit may arrive after the reset
   }
 
   @Test
@@ -289,7 +292,7 @@ class ControlServerTest {
     }
   }
 
-  // --- what is refused ---
+  // --- refusals ---
 
   @ParameterizedTest
   @CsvSource(
@@ -408,7 +411,7 @@ class ControlServerTest {
     assertThatThrownBy(() -> new ControlServer(simulator, server.port()))
         .isInstanceOf(PortTakenException.class)
         .message()
-        .startsWith("Port " + server.port() + " of 127.0.0.1 cannot be had (")
+        .startsWith("Port " + server.port() + " of 127.0.0.1 is not available (")
         .endsWith("): choose another one with --control, or 0 for a free one.");
   }
 

@@ -17,7 +17,7 @@ import tellosimulator.profile.Profile;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.time.SimTime;
 
-/** What a flight looks like on the way. */
+/** The course of a flight between command and reply. */
 class FlightShapeTest {
 
   private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
@@ -86,7 +86,7 @@ class FlightShapeTest {
     assertThat(length).as("87.8 cm, not the long way round").isCloseTo(0.878, within(0.03));
   }
 
-  /** A circle that stands upright and is turned with the drone. */
+  /** A vertical circle that is turned with the drone. */
   @Test
   void curveIsTurnedWithTheDroneAndMayClimb() {
     drone.ask("ccw 90");
@@ -98,7 +98,7 @@ class FlightShapeTest {
     assertThat(moved.distanceTo(new Vec3(0, 1.2, 0))).isLessThan(0.01);
   }
 
-  /** Half a circle of 60 cm radius that stands upright would dip by 60 cm, far below the floor. */
+  /** A vertical semicircle with a radius of 60 cm would dip by 60 cm, far below the floor. */
   @Test
   void curveThatDipsTooLowStaysAtTheLowestHoverAndStillEndsInPlace() {
     Vec3 start = drone.state().motion().position();

@@ -12,7 +12,7 @@ import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.SteppedDrone;
 
-/** From command to {@code ok}: target times with their band of a quarter, and where it ends. */
+/** Times from command to {@code ok}, within a quarter of the target times, and final positions. */
 class FlightTimesTest {
 
   private static final Percentage BAND = Percentage.withPercentage(25);
@@ -84,9 +84,9 @@ class FlightTimesTest {
   }
 
   /**
-   * A published flight answered moves of 50 cm after 2.24, 1.94, 2.14 and 2.34 s, 2.17 s in the
-   * mean, and {@code land} from 118 cm after 4.23 s; another drone {@code forward 100} after 3.6 s.
-   * See {@code docs/fidelity.md}.
+   * A published flight answered moves of 50 cm after 2.24, 1.94, 2.14 and 2.34 s, 2.17 s on
+   * average, and {@code land} from 118 cm after 4.23 s; another drone {@code forward 100} after 3.6
+   * s. See {@code docs/fidelity.md}.
    */
   @ParameterizedTest
   @CsvSource({

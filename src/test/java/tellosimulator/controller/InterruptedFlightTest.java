@@ -92,7 +92,7 @@ class InterruptedFlightTest {
     assertThat(happened(TookOff.class)).isFalse();
   }
 
-  /** From 3.3 m the floor is hit at the root of 2 · 9.81 · 3.3, 8 m/s without drag. */
+  /** A fall from 3.3 m hits the floor at the square root of 2 · 9.81 · 3.3, 8 m/s without drag. */
   @Test
   void switchingOnOnTheWayDownDoesNotSoftenTheFall() {
     SteppedDrone high =

@@ -21,7 +21,7 @@ import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 
-/** What stands in the room: what stops a drone, what carries it, what its sensor sees. */
+/** Obstacles that stop a drone, carry it, or are seen by its sensor. */
 class ObstacleFlightTest {
 
   private static final Room ROOM = new Room(6, 12, 4);
@@ -176,7 +176,7 @@ class ObstacleFlightTest {
     drone.control(new Control.Furnish(List.of(TABLE.movedTo(new Vec3(0.45, 0, 0), 0)), List.of()));
     drone.advance(1);
 
-    // the table begins at x = -0.05, and the drone gets out of it by the shortest way
+    // the table begins at x = -0.05, and the drone leaves it by the shortest way
     assertThat(drone.state().motion().position().x())
         .isCloseTo(-0.05 - DroneSpec.COLLIDER.radius(), within(0.001));
     assertThat(drone.ask("takeoff")).isEqualTo("ok");

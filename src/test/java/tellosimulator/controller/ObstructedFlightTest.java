@@ -22,7 +22,7 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
-/** Walls, floor and ceiling: what stops a drone, and what breaks its flight. */
+/** Collisions with walls, floor and ceiling, which stop a drone or end its flight. */
 class ObstructedFlightTest {
 
   @Test
@@ -49,7 +49,7 @@ class ObstructedFlightTest {
     assertThat(drone.state().motion().position().z()).isCloseTo(ceiling, within(0.01));
   }
 
-  /** {@code rc} 100 is 1.5 m/s here, and a move on top of it adds up to 1 m/s. */
+  /** {@code rc} 100 is 1.5 m/s here, and a simultaneous move adds up to 1 m/s. */
   @Test
   void aHardHitIsACrashUntilReset() {
     SteppedDrone drone = flying(Behavior.MEASURED, new Room(30, 30, 10));
@@ -70,7 +70,7 @@ class ObstructedFlightTest {
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
   }
 
-  /** {@code rc} 100 is 1.0 m/s in behaviour report, and a crash is faster than 1.35 m/s. */
+  /** {@code rc} 100 is 1.0 m/s in behaviour {@code report}, and a crash is faster than 1.35 m/s. */
   @Test
   void atFullStickOfTheReportItIsATouch() {
     SteppedDrone drone = flying(Behavior.REPORT, new Room(30, 5, 3));
@@ -81,7 +81,10 @@ class ObstructedFlightTest {
     assertThat(words(drone)).contains("touched the front wall at 1.0 m/s");
   }
 
-  /** {@code rc} 100 is 1.5 m/s in behaviour measured; after 2.4 m it is faster than 1.35 m/s. */
+  /**
+   * {@code rc} 100 is 1.5 m/s in behaviour {@code measured}; after 2.4 m it is faster than 1.35
+   * m/s.
+   */
   @Test
   void atFullStickOfTheMeasurementsItIsACrash() {
     SteppedDrone drone = flying(Behavior.MEASURED, Room.DEFAULT);
@@ -223,7 +226,10 @@ class ObstructedFlightTest {
     assertThat(drone.state().phase()).isEqualTo(FlightPhase.FLYING);
   }
 
-  /** What the sticks ask for dies away over seconds, and holds no move against the wall. */
+  /**
+   * The movement commanded by the sticks decays over seconds, and does not block a move at the
+   * wall.
+   */
   @ParameterizedTest
   @CsvSource({
     "rc 0 100 0 0, up 30, 0",
@@ -265,7 +271,7 @@ class ObstructedFlightTest {
     assertThat(drone.ask(move)).isEqualTo("ok");
   }
 
-  /** In behaviour {@code measured} a move ends up to 7.5 cm aside of where it was sent. */
+  /** In behaviour {@code measured}, a move ends up to 7.5 cm away from its goal. */
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
   void aMoveAlongAWallThatMissesIntoItIsFlown(long seed) {
@@ -322,7 +328,7 @@ class ObstructedFlightTest {
     return drone.events().stream().map(SimEvent::words).toList();
   }
 
-  /** What happened last to the drone itself. */
+  /** Returns the last flight event of the drone. */
   private static String lastFlight(SteppedDrone drone) {
     List<String> flight =
         drone.events().stream()

@@ -28,7 +28,7 @@ class PadMissionsTest {
 
   private static final Room ROOM = new Room(8, 8, 4);
 
-  /** Below the start, its rocket to the left. */
+  /** A pad below the start, with its rocket pointing to the left. */
   private static final MissionPad ONE = MissionPad.onFloor(1, Vec3.ZERO, Math.PI / 2);
 
   private static final MissionPad TWO = MissionPad.onFloor(2, new Vec3(1, 0.5, 0), 0);
@@ -50,7 +50,7 @@ class PadMissionsTest {
     assertThat(line(drone)).startsWith("mid:-2;");
   }
 
-  /** At 80 cm the picture reaches 80 cm · tan 27.5° = 42 cm ahead and 31 cm aside. */
+  /** At 80 cm the picture reaches 80 cm · tan 27.5° = 42 cm ahead and 31 cm to each side. */
   @ParameterizedTest
   @CsvSource({"0.40, 0, true", "0.44, 0, false", "0, 0.29, true", "0, 0.34, false"})
   void aPadIsSeenAsFarAsThePictureReaches(double x, double y, boolean seen) {
@@ -147,7 +147,7 @@ class PadMissionsTest {
     drone.ask("mon");
     double begin = drone.seconds();
 
-    // 350 cm at 10 cm/s take 35 s, and the pad is out of sight after some 20 cm
+    // 350 cm at 10 cm/s take 35 s, and the pad is out of sight after about 20 cm
     assertThat(drone.ask("go 350 0 30 10 m1")).isEqualTo("error Run timeout");
 
     assertThat(drone.seconds() - begin).isBetween(16.0, 20.0);
@@ -157,7 +157,8 @@ class PadMissionsTest {
   }
 
   /**
-   * From 1 m up the nose sees the pad again from 1.4 to 1.7 m away, which says nothing of below.
+   * From 1 m up, the forward camera sees the pad again from 1.4 to 1.7 m away, which does not count
+   * as seeing it below the drone.
    */
   @Test
   void aPadThatOnlyTheNoseSeesIsOutOfSight() {
@@ -182,7 +183,7 @@ class PadMissionsTest {
 
     assertThat(drone.ask("go 0 0 80 50 m-2")).isEqualTo("ok");
     assertNear(drone, new Vec3(0.35, 0, 0.8));
-    drone.control(new Control.Decorate(Decor.DEFAULT)); // no reason to forget anything
+    drone.control(new Control.Decorate(Decor.DEFAULT)); // does not reset the perception
     drone.ask("up 20");
     assertThat(drone.ask("go 0 0 60 50 m-1")).isEqualTo("ok");
     assertNear(drone, new Vec3(0, 0, 0.6));
@@ -192,12 +193,12 @@ class PadMissionsTest {
   void whatWasSeenBeforeDetectionWasOffDoesNotCount() {
     MissionPad ahead = MissionPad.onFloor(6, new Vec3(0.35, 0, 0), 0);
     SteppedDrone drone = flying(MissionPad.onFloor(3, Vec3.ZERO, 0), ahead);
-    drone.ask("mon"); // at 30 cm the drone sees only the pad 3
+    drone.ask("mon"); // at 30 cm only pad 3 is in sight
     drone.advance(1);
     drone.ask("moff");
     drone.ask("up 50");
     drone.ask("forward 25");
-    drone.ask("mon"); // both at once, and the pad 6 is nearer
+    drone.ask("mon"); // both come into sight at once, and pad 6 is nearer
     drone.advance(1);
 
     assertThat(drone.ask("go 0 0 80 50 m-1")).isEqualTo("ok");
@@ -297,7 +298,7 @@ class PadMissionsTest {
     return drone;
   }
 
-  /** A state line that is made after all that has happened. */
+  /** Returns a state line that was created after all previous events. */
   private static String line(SteppedDrone drone) {
     drone.advance(0.3);
     return drone.stateLines().get(drone.stateLines().size() - 1).text();

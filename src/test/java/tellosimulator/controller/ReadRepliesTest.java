@@ -11,7 +11,7 @@ import tellosimulator.testing.SteppedDrone;
 
 class ReadRepliesTest {
 
-  /** Arabic as written in Egypt has digits of its own, German a comma for the point. */
+  /** Egyptian Arabic has its own digits, and German a decimal comma. */
   @ParameterizedTest
   @CsvSource({"ar-EG", "de-DE", "tr-TR", "en-US"})
   void theCountryOfTheMachineChangesNoReply(String language) {

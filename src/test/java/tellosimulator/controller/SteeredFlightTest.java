@@ -15,7 +15,7 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
-/** {@code rc} alone, on top of other commands, and kept over landings. */
+/** {@code rc} alone, in addition to other commands, and across landings. */
 class SteeredFlightTest {
 
   private static final Room HALL = new Room(100, 100, 12);

@@ -16,12 +16,12 @@ import tellosimulator.testing.SteppedDrone;
 import tellosimulator.time.SimTime;
 
 /**
- * How a drone of behaviour measured follows the sticks: TelloPy 0.7.0, docs/sensor_time.md,
- * measured in September 2026 with one drone.
+ * The response of a drone to the sticks in behaviour {@code measured}: TelloPy 0.7.0,
+ * docs/sensor_time.md, measured in September 2026 with one drone.
  */
 class StickResponseTest {
 
-  /** How long a response is looked at [s]. */
+  /** Duration of a recorded response [s]. */
   private static final double LOOK = 1;
 
   @ParameterizedTest
@@ -50,7 +50,7 @@ class StickResponseTest {
     assertThat(reached(angles, 0.5)).as("50 %").isBetween(0.2489, 0.2661);
   }
 
-  /** What a value is in each step after the sticks were moved. */
+  /** Returns the values of each step after the sticks were moved. */
   private static List<Double> response(String rc, ToDoubleFunction<Motion> value) {
     SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.MEASURED);
     drone.ask("command");
@@ -65,7 +65,7 @@ class StickResponseTest {
     return values;
   }
 
-  /** When a part of the greatest value was reached [s]. */
+  /** Returns the time at which a part of the maximum was reached [s]. */
   private static double reached(List<Double> values, double part) {
     double wanted = part * Collections.max(values);
     int step = 0;

@@ -13,7 +13,7 @@ import tellosimulator.world.Arena;
 import tellosimulator.world.Room;
 import tellosimulator.world.Wind;
 
-/** How a drone fares in moving air. */
+/** The flight of a drone in moving air. */
 class WindTest {
 
   private static final Arena HALL = Arena.DEFAULT.withRoom(new Room(20, 20, 5));

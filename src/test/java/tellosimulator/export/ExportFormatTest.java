@@ -17,7 +17,9 @@ import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFixture;
 import tellosimulator.recording.UnreadableRecordingException;
 
-/** Reads the files back by what their formats say; ExportToolsIT has other people's tools do it. */
+/**
+ * Reads the files back according to their format specifications; ExportToolsIT uses other tools.
+ */
 class ExportFormatTest {
 
   private static final String WIRE =

@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import tellosimulator.fault.FaultKind.Range;
 
-/** The page lists the faults as the table has them. */
+/** The page of faults agrees with the table. */
 class FaultPageTest {
 
   private static final Path PAGE = Path.of("docs", "faults.md");

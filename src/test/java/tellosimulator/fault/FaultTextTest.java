@@ -124,7 +124,7 @@ class FaultTextTest {
   @ParameterizedTest
   @ValueSource(strings = {"", " ", "\t", "\"", "\"\"", "loss \"", "\0", "loss \0", "-1", "loss -1"})
   void whateverIsGivenTheAnswerIsForPeople(String written) {
-    if (!written.equals("loss \"")) { // an open quotation mark is nothing
+    if (!written.equals("loss \"")) { // an open quotation mark is ignored
       assertThatThrownBy(() -> Fault.of(written))
           .isInstanceOf(FaultTextException.class)
           .satisfies(e -> ForPeople.check(e.getMessage()))

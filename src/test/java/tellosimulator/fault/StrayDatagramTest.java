@@ -10,7 +10,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class StrayDatagramTest {
 
-  /** The first two by the published rules; the last one from a capture, with its own data. */
+  /**
+   * The first two follow the published rules; the last one is from a capture, with its own data.
+   */
   @ParameterizedTest
   @CsvSource({
     "35, 7,    01,   cc 60 00 27 88 35 00 07 00 01 52 50",

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import tellosimulator.goal.Goal.Direction;
 import tellosimulator.goal.Progress.Status;
@@ -17,20 +16,23 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.testing.SimulatedDrones;
 import tellosimulator.world.Arena;
+import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.Poster;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
 
 class GoalWatchTest {
 
-  private static final OptionalInt ANY = OptionalInt.empty();
+  private static final Goal FRONT =
+      new Goal.Reach(Terms.ANY, new GoalRegion(new Vec3(1, 0, 0.3), 0.1));
+  private static final Goal HOME = new Goal.Land(Terms.ANY, new GoalRegion(Vec3.ZERO, 0.1));
 
-  private static final Goal FRONT = new Goal.Reach(ANY, new GoalRegion(new Vec3(1, 0, 0.3), 0.1));
-  private static final Goal HOME = new Goal.Land(ANY, new GoalRegion(Vec3.ZERO, 0.1));
-
-  /** Half a metre before the drone, its opening from 40 to 160 cm, which the drone goes through. */
+  /**
+   * A gate half a metre in front of the drone, with an opening from 40 to 160 cm above the floor.
+   */
   private static final Obstacle GATE =
       new Obstacle(
           "first",
@@ -87,7 +89,7 @@ class GoalWatchTest {
 
   @Test
   void inOrderALaterGoalDoesNotCountBeforeAnEarlierOne() {
-    Goal up = new Goal.Reach(ANY, new GoalRegion(new Vec3(0, 0, 1), 0.1));
+    Goal up = new Goal.Reach(Terms.ANY, new GoalRegion(new Vec3(0, 0, 1), 0.1));
     Challenge challenge = new Challenge(List.of(up, FRONT), true, OptionalDouble.empty(), false);
     Fixture fixture = fixture(Arena.DEFAULT, challenge);
 
@@ -137,7 +139,7 @@ class GoalWatchTest {
   void aPadIsLandedOnWithTheDronesMiddleOverTheCard() {
     MissionPad pad = MissionPad.onFloor(3, new Vec3(1, 0.5, 0), Math.PI / 4);
     Arena arena = Arena.DEFAULT.withPads(List.of(pad));
-    Fixture fixture = fixture(arena, any(List.of(new Goal.LandOn(ANY, 3))));
+    Fixture fixture = fixture(arena, any(List.of(new Goal.LandOn(Terms.ANY, 3))));
 
     fixture.drones.fly("command", "takeoff", "go 100 30 0 100");
     fixture.drones.fly("land");
@@ -148,7 +150,7 @@ class GoalWatchTest {
 
   @Test
   void hoveringMustLast() {
-    Goal hover = new Goal.Hover(ANY, new GoalRegion(new Vec3(1, 0, 0.3), 0.2), 5);
+    Goal hover = new Goal.Hover(Terms.ANY, new GoalRegion(new Vec3(1, 0, 0.3), 0.2), 5);
     Fixture fixture = fixture(Arena.DEFAULT, any(List.of(hover)));
     fixture.drones.fly("command", "takeoff", "forward 100");
     fixture.drones.advance(1);
@@ -163,7 +165,7 @@ class GoalWatchTest {
   @Test
   void aGoalOfOneDroneIsNotReachedByAnother() {
     Vec3 left = new Vec3(0, 0.3, 0);
-    Goal second = new Goal.Land(OptionalInt.of(2), new GoalRegion(left, 0.5));
+    Goal second = new Goal.Land(Terms.of(2), new GoalRegion(left, 0.5));
     SimConfig two =
         SimConfig.DEFAULT.withDrones(
             SimConfig.alike(Formation.row(2, Vec3.ZERO, SimConfig.DEFAULT.arena().room())));
@@ -190,7 +192,7 @@ class GoalWatchTest {
 
   @Test
   void aTouchFailsOnlyWhereNothingMayBeTouched() {
-    Goal wall = new Goal.Reach(ANY, new GoalRegion(new Vec3(2.4, 0, 0.3), 0.1));
+    Goal wall = new Goal.Reach(Terms.ANY, new GoalRegion(new Vec3(2.4, 0, 0.3), 0.1));
     Fixture free = fixture(Arena.DEFAULT, any(List.of(wall, HOME)));
     free.drones.fly("command", "takeoff", "speed 20", "forward 260");
     assertThat(free.watch.progress().status()).isEqualTo(Status.RUNNING);
@@ -287,7 +289,7 @@ class GoalWatchTest {
 
   @Test
   void aLandingIsJudgedByTheNearestPlaceUnlessThereIsAnOrder() {
-    Goal far = new Goal.Land(ANY, new GoalRegion(new Vec3(1, 0, 0), 0.2));
+    Goal far = new Goal.Land(Terms.ANY, new GoalRegion(new Vec3(1, 0, 0), 0.2));
     List<Goal> goals = List.of(far, HOME);
     Fixture free = fixture(Arena.DEFAULT, any(goals));
     free.drones.fly("command", "takeoff", "left 30", "land");
@@ -301,7 +303,7 @@ class GoalWatchTest {
   @Test
   void aLandingBesideAPadSaysHowFarItWas() {
     Arena arena = Arena.DEFAULT.withPads(List.of(MissionPad.onFloor(3, new Vec3(1, 0, 0), 0)));
-    Fixture fixture = fixture(arena, any(List.of(new Goal.LandOn(ANY, 3))));
+    Fixture fixture = fixture(arena, any(List.of(new Goal.LandOn(Terms.ANY, 3))));
     fixture.drones.fly("command", "takeoff", "forward 80", "land");
 
     assertThat(missed(fixture)).contains("20 cm from the middle of goal 1; up to 10 cm count");
@@ -314,7 +316,7 @@ class GoalWatchTest {
     landed.drones.fly("command", "takeoff", "land");
     assertThat(missed(landed)).isEqualTo("drone 1 landed at goal 2, but goal 1 comes first");
 
-    Goal up = new Goal.Reach(ANY, new GoalRegion(new Vec3(0, 0, 2), 0.1));
+    Goal up = new Goal.Reach(Terms.ANY, new GoalRegion(new Vec3(0, 0, 2), 0.1));
     Challenge passing = any(List.of(up, pass(Direction.EITHER))).withInOrder(true);
     Fixture passed = fixture(gates(), passing);
     passed.drones.fly("command", "takeoff", "up 70", "forward 100");
@@ -350,18 +352,127 @@ class GoalWatchTest {
   void padsOnWallsAreNotLandedOn() {
     MissionPad pad = new MissionPad(3, Surface.FRONT_WALL, 0, 0.5, 0);
     Arena arena = Arena.DEFAULT.withPads(List.of(pad));
-    Fixture fixture = fixture(arena, any(List.of(new Goal.LandOn(ANY, 3))));
+    Fixture fixture = fixture(arena, any(List.of(new Goal.LandOn(Terms.ANY, 3))));
     fixture.drones.fly("command", "takeoff", "land");
 
     assertThat(fixture.watch.progress().count()).isZero();
   }
 
   private static Goal pass(Direction direction) {
-    return new Goal.Pass(ANY, "first", direction);
+    return new Goal.Pass(Terms.ANY, "first", direction);
   }
 
   private static Arena gates() {
     return Arena.DEFAULT.withObstacles(List.of(GATE));
+  }
+
+  /** A poster of 40 cm on the front wall, 2.5 m in front of the drone, from 30 to 70 cm high. */
+  private static final Poster CAT = new Poster(Surface.FRONT_WALL, 0, 0.5, 0.4, "dir/cat.png");
+
+  private static final Arena GALLERY =
+      Arena.DEFAULT.withDecor(Decor.DEFAULT.withPosters(List.of(CAT)));
+
+  /** Seen from the start, the poster takes 0.4 / (2 tan 27.5° · 2.5) = 15 percent. */
+  private static Goal see(double percent, double seconds) {
+    return new Goal.See(Terms.ANY, new Goal.NamedPoster("cat"), percent, seconds);
+  }
+
+  @Test
+  void aPosterIsSeenWhenAllOfItIsInThePicture() {
+    Fixture fixture = fixture(GALLERY, any(List.of(see(10, 1))));
+    fixture.drones.fly("command", "takeoff");
+    fixture.drones.advance(3);
+    assertThat(fixture.watch.progress().count())
+        .as("at 30 cm the picture ends 59 cm above the floor")
+        .isZero();
+
+    fixture.drones.fly("cw 180", "up 70");
+    fixture.drones.advance(3);
+    assertThat(fixture.watch.progress().count()).as("behind the drone").isZero();
+
+    fixture.drones.fly("ccw 180");
+    fixture.drones.advance(1.1);
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.REACHED);
+    assertThat(news.get(0).line())
+        .contains("see poster cat for 1.0 s, at least 10% of the picture's width");
+  }
+
+  @Test
+  void aPosterThatIsTooSmallIsANearMissOnce() {
+    Fixture fixture = fixture(GALLERY, any(List.of(see(20, 1))));
+    fixture.drones.fly("command", "takeoff", "up 70");
+    fixture.drones.advance(3);
+
+    assertThat(missed(fixture)).isEqualTo("drone 1 saw poster cat, but too small: fly closer");
+    assertThat(news).hasSize(1);
+    fixture.drones.fly("forward 100"); // 1.5 m away: 25 percent
+    fixture.drones.advance(1);
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.REACHED);
+  }
+
+  @Test
+  void aPosterMustStayInThePicture() {
+    Fixture fixture = fixture(GALLERY, any(List.of(see(10, 6))));
+    fixture.drones.fly("command", "takeoff", "up 70", "cw 90");
+    assertThat(missed(fixture))
+        .isEqualTo("drone 1 saw poster cat too briefly: 6.0 s without a break count");
+    fixture.drones.fly("ccw 90");
+    fixture.drones.advance(3);
+    assertThat(fixture.watch.progress().count()).as("twice less than six seconds").isZero();
+
+    fixture.drones.advance(4);
+    assertThat(fixture.watch.progress().count()).isEqualTo(1);
+  }
+
+  @Test
+  void anObstacleHidesWhatIsBehindIt() {
+    Obstacle pillar =
+        new Obstacle(
+            "pillar",
+            new Shape.Box(0.1, 0.3, 1.5),
+            new Vec3(1.2, 0, 0),
+            0,
+            ObstacleAppearance.DEFAULT);
+    Fixture fixture = fixture(GALLERY.withObstacles(List.of(pillar)), any(List.of(see(10, 1))));
+    fixture.drones.fly("command", "takeoff", "up 70");
+    fixture.drones.advance(3);
+    assertThat(fixture.watch.progress().count()).isZero();
+    assertThat(fixture.watch.progress().miss()).isEmpty();
+
+    // from 60 cm aside, the lines to the poster pass the pillar 7 cm beside it or more
+    fixture.drones.fly("left 60");
+    fixture.drones.advance(1.1);
+    assertThat(fixture.watch.progress().count()).isEqualTo(1);
+  }
+
+  @Test
+  void aPadIsSeenByAFlyingDroneOnTheFloorAndOnWalls() {
+    MissionPad floor = MissionPad.onFloor(1, new Vec3(1.2, 0, 0), 0);
+    MissionPad wall = new MissionPad(2, Surface.FRONT_WALL, 0.5, 0.5, 1);
+    Arena arena = Arena.DEFAULT.withPads(List.of(floor, wall));
+    Goal first = new Goal.See(Terms.ANY, new Goal.NumberedPad(1));
+    Goal second = new Goal.See(Terms.ANY, new Goal.NumberedPad(2), 7, 1);
+    Fixture fixture = fixture(arena, any(List.of(first, second)));
+    fixture.drones.fly("command");
+    fixture.drones.advance(3);
+    assertThat(fixture.watch.progress().count()).as("on the ground").isZero();
+
+    fixture.drones.fly("takeoff");
+    fixture.drones.advance(1.1);
+    assertThat(fixture.watch.progress().reached().get(0)).isPresent();
+    fixture.drones.fly("up 40");
+    fixture.drones.advance(1.1);
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.REACHED);
+  }
+
+  @Test
+  void whatIsSeenBeforeItsTurnDoesNotCount() {
+    Challenge challenge =
+        new Challenge(List.of(HOME, see(10, 1)), true, OptionalDouble.empty(), false);
+    Fixture fixture = fixture(GALLERY, challenge);
+    fixture.drones.fly("command", "takeoff", "up 70");
+
+    assertThat(missed(fixture)).isEqualTo("drone 1 saw poster cat, but goal 1 comes first");
   }
 
   private static Challenge any(List<Goal> goals) {

@@ -34,8 +34,7 @@ class ConsoleTest {
   private final Simulation simulation =
       new Simulation(
           SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT)),
-          drone -> (to, text) -> {},
-          report -> {},
+          drone -> datagram -> {},
           List.of());
   private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
   private final AtomicBoolean finished = new AtomicBoolean();
@@ -97,6 +96,7 @@ class ConsoleTest {
         new SimSnapshot(
             present.time(),
             new SimSnapshot.Clock(TimeFactor.REAL_TIME, true, 12.34),
+            present.seed(),
             present.arena(),
             present.drones());
     BufferedReader in = new BufferedReader(new StringReader("state\n"));

@@ -3,29 +3,35 @@ package tellosimulator.headless;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import tellosimulator.command.Peer;
+import tellosimulator.command.Request;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalRegion;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimEvent;
 import tellosimulator.testing.SimulatedDrones;
+import tellosimulator.time.SimTime;
 
 @Timeout(20)
 class ExitConditionTest {
 
   private static final Goal FRONT =
-      new Goal.Land(OptionalInt.empty(), new GoalRegion(new Vec3(1, 0, 0), 0.1));
+      new Goal.Land(Terms.ANY, new GoalRegion(new Vec3(1, 0, 0), 0.1));
 
   private final GoalWatch goals =
       new GoalWatch(
@@ -33,7 +39,14 @@ class ExitConditionTest {
 
   private static final ExitCondition.IdleLimits QUICK = new ExitCondition.IdleLimits(2, 4, 12);
 
-  private final ExitCondition exitCondition = new ExitCondition(goals, QUICK);
+  private static final Peer PROGRAM =
+      new Peer(
+          new InetSocketAddress(InetAddress.getLoopbackAddress(), 9000),
+          new InetSocketAddress(InetAddress.getLoopbackAddress(), 8889));
+
+  private int missed;
+
+  private final ExitCondition exitCondition = new ExitCondition(goals, () -> missed++, QUICK);
 
   private final SimulatedDrones drones =
       new SimulatedDrones(SimConfig.DEFAULT, List.of(goals, exitCondition));
@@ -45,6 +58,7 @@ class ExitConditionTest {
 
     Progress result = exitCondition.awaitResult(NEVER);
     assertThat(result.status()).isEqualTo(Status.REACHED);
+    assertThat(exitCondition.missed()).isFalse();
     exitCondition.awaitRest(NEVER);
   }
 
@@ -62,6 +76,8 @@ class ExitConditionTest {
     assertThat(result.phrase().english())
         .endsWith(": all drones have landed, and no command came for 15 s");
     assertThat(result.elapsed() - landed).isCloseTo(29.9, within(0.02));
+    assertThat(missed).as("reported once").isEqualTo(1);
+    assertThat(exitCondition.missed()).isTrue();
     exitCondition.awaitRest(NEVER);
   }
 
@@ -79,7 +95,7 @@ class ExitConditionTest {
     exitCondition.awaitRest(standing);
   }
 
-  /** It lands by itself in the first 15 s, and is silent for 15 s after that. */
+  /** The drone lands by itself in the first 15 s, and no command arrives for 15 s after that. */
   @Test
   void aProgramThatGivesUpInTheAirIsWaitedForLonger() throws InterruptedException {
     drones.fly("command", "takeoff");
@@ -103,7 +119,7 @@ class ExitConditionTest {
     assertThat(standing.passed).isEmpty();
   }
 
-  /** Such as one whose takeoff was lost on the way. */
+  /** An example is a program whose takeoff command was lost. */
   @Test
   void aProgramThatFallsSilentBeforeItsTakeoffHasMissedTheGoals() throws InterruptedException {
     drones.fly("command");
@@ -132,7 +148,7 @@ class ExitConditionTest {
 
   @Test
   void aTimeoutEndsProgramsThatNeverTakeOff() throws InterruptedException {
-    exitCondition.limit(Optional.of(20.0));
+    exitCondition.limit(Optional.of(20.0), false);
     drones.fly("command");
     Standing standing = new Standing();
 
@@ -144,10 +160,10 @@ class ExitConditionTest {
     assertThat(standing.looks).isBetween(4, 8);
   }
 
-  /** An interpreter loads its libraries before it says its first word. */
+  /** An interpreter loads its libraries before the program sends anything. */
   @Test
   void aProgramThatStartsSlowlyIsWaitedForLongerThanOneThatHasSpoken() throws InterruptedException {
-    exitCondition.limit(Optional.of(20.0));
+    exitCondition.limit(Optional.of(20.0), false);
     Standing standing = new Standing();
 
     Progress result = exitCondition.awaitResult(standing);
@@ -156,9 +172,44 @@ class ExitConditionTest {
     assertThat(standing.looks).isGreaterThanOrEqualTo(12);
   }
 
+  /** The time for which it has not sent anything yet must not count as silence afterwards. */
+  @Test
+  void aProgramThatHasStartedSlowlyHasTheWholeTimeUntilItsTakeoff() throws InterruptedException {
+    exitCondition.limit(Optional.of(20.0), false);
+    Standing standing = new Standing();
+    standing.speaks = 8;
+
+    exitCondition.awaitResult(standing);
+
+    assertThat(standing.looksUntilPassing).isEqualTo(12);
+  }
+
+  @Test
+  void aProgramThatIsRunMayPauseBeforeItsTakeoff() throws InterruptedException {
+    exitCondition.limit(Optional.of(20.0), true);
+    drones.fly("command");
+    Standing standing = new Standing();
+
+    exitCondition.awaitResult(standing);
+
+    assertThat(standing.looksUntilPassing).isGreaterThanOrEqualTo(12);
+  }
+
+  @Test
+  void aProgramThatNeverSendsAnythingHasMissedTheGoals() throws InterruptedException {
+    exitCondition.limit(Optional.empty(), true);
+    Standing standing = new Standing();
+
+    Progress result = exitCondition.awaitResult(standing);
+
+    assertThat(result.phrase().english())
+        .isEqualTo("goals: 0 of 1 reached after 0.0 s: no command came for 120 s");
+    assertThat(standing.passed).containsExactly(120.0);
+  }
+
   @Test
   void aTimeoutEndsProgramsThatFlyForEver() throws InterruptedException {
-    exitCondition.limit(Optional.of(20.0));
+    exitCondition.limit(Optional.of(20.0), false);
     drones.fly("command", "takeoff");
     for (int i = 0; i < 10; i++) {
       drones.fly("battery?");
@@ -171,18 +222,17 @@ class ExitConditionTest {
     assertThat(result.phrase().english()).endsWith(": the timeout of 20 s is over");
   }
 
-  /** The drone lands in 2 s; by itself it would after 15 s of silence. */
+  /** The drone lands in 2 s; by itself it would do so after 15 s of silence. */
   @Test
   void whenTheProgramEndsItsDroneLandsAndTheVerdictFollows() throws InterruptedException {
     drones.fly("command", "takeoff");
     drones.control(new Control.Land(1));
     exitCondition.finish();
-    double begun = goals.progress().elapsed();
     drones.advance(5);
 
     Progress result = exitCondition.awaitResult(NEVER);
-    assertThat(result.phrase().english()).endsWith(": the program has ended");
-    assertThat(result.elapsed() - begun).isBetween(1.0, 4.0);
+    assertThat(result.phrase().english())
+        .endsWith(": the program ended while drone 1 was in the air");
     exitCondition.awaitRest(NEVER);
   }
 
@@ -208,7 +258,7 @@ class ExitConditionTest {
     assertThat(exitCondition.awaitResult(NEVER).status()).isEqualTo(Status.REACHED);
   }
 
-  /** A takeoff is under way, but nothing has left the ground yet. */
+  /** The drone has begun to take off, but is still on the ground. */
   @Test
   void aDroneThatIsAboutToTakeOffStaysOnTheGround() throws InterruptedException {
     drones.fly("command");
@@ -218,7 +268,7 @@ class ExitConditionTest {
     drones.advance(1);
 
     assertThat(exitCondition.awaitResult(NEVER).phrase().english())
-        .endsWith(": the program has ended");
+        .endsWith(": the program ended while drone 1 was in the air");
     exitCondition.awaitRest(NEVER);
   }
 
@@ -227,7 +277,7 @@ class ExitConditionTest {
     GoalWatch over =
         new GoalWatch(
             new Challenge(List.of(FRONT), false, OptionalDouble.of(5), false), event -> {});
-    ExitCondition late = new ExitCondition(over, QUICK);
+    ExitCondition late = new ExitCondition(over, () -> {}, QUICK);
     SimulatedDrones flying = new SimulatedDrones(SimConfig.DEFAULT, List.of(over, late));
     flying.fly("command", "takeoff");
     flying.advance(16);
@@ -238,7 +288,7 @@ class ExitConditionTest {
     late.awaitRest(NEVER);
   }
 
-  /** Time that passes by the clock. */
+  /** Simulated time that advances with the wall clock. */
   private static final ExitCondition.Standstill NEVER =
       new ExitCondition.Standstill() {
         @Override
@@ -252,16 +302,28 @@ class ExitConditionTest {
         }
       };
 
-  /** Time that stands still; counts how often that was asked, and ends the waiting some time. */
+  /**
+   * Simulated time that stands still. Counts the checks, and ends the waiting after a number of
+   * them.
+   */
   private final class Standing implements ExitCondition.Standstill {
 
     private final List<Double> passed = new ArrayList<>();
     private int most = 100;
     private int looks;
 
+    /** The look at which a program sends its first command. */
+    private int speaks = -1;
+
+    private int looksUntilPassing;
+
     @Override
     public boolean possible() {
       looks++;
+      if (looks == speaks) {
+        exitCondition.event(
+            new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(1, PROGRAM, "command")));
+      }
       if (looks > most) {
         exitCondition.now();
       }
@@ -270,6 +332,9 @@ class ExitConditionTest {
 
     @Override
     public void pass(double seconds) {
+      if (passed.isEmpty()) {
+        looksUntilPassing = looks;
+      }
       passed.add(seconds);
       drones.advance(seconds + 0.005);
     }

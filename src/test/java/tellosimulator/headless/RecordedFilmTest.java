@@ -34,7 +34,7 @@ import tellosimulator.time.TimeFactor;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.camera.DroneOptics;
 
-/** A recording of a drone that films, on real sockets. */
+/** Records a drone that streams video, with real sockets. */
 @Timeout(value = 180, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RecordedFilmTest {
 
@@ -42,7 +42,7 @@ class RecordedFilmTest {
   private static final int LONGEST = 2048;
   private static final int PATIENCE_MS = 60_000;
 
-  /** Video datagrams that are compared. */
+  /** Number of video datagrams that are compared. */
   private static final int COUNT = 200;
 
   @TempDir private Path folder;
@@ -82,12 +82,15 @@ class RecordedFilmTest {
     }
   }
 
-  /** Those that came surely after the takeoff. */
+  /** Returns the datagrams that were certainly received after the takeoff. */
   private static List<String> recent(List<String> seen) {
     return seen.subList(seen.size() - 10, seen.size());
   }
 
-  /** As fast as possible: time stands still while the film is awaited, so the drone stays up. */
+  /**
+   * Runs as fast as possible: time stands still while the test waits for video, so the drone stays
+   * up.
+   */
   private static HeadlessSimulator simulator(int videoPort) throws Exception {
     SimConfig config =
         SimConfig.DEFAULT
@@ -100,7 +103,7 @@ class RecordedFilmTest {
         new SoftwareCameras(DroneOptics.DEFAULT));
   }
 
-  /** Where the drone is, from the line that says so. */
+  /** Returns the drone's address from the ready line. */
   private static InetSocketAddress address(HeadlessSimulator simulator) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     simulator.sayReady(new PrintStream(out, true, StandardCharsets.UTF_8));

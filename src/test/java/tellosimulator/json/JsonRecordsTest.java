@@ -47,7 +47,7 @@ class JsonRecordsTest {
         new Control.SetStart(1, new Vec3(0.1, 0.7, 0), 1.0 / 3),
         new Control.Configure(1, Product.DEFAULT, new StreamPorts(1, 2)),
         new Control.PassTime(0.1),
-        new Control.Restart(
+        new Control.NewRun(
             SimConfig.DEFAULT
                 .withSeed(Long.MIN_VALUE)
                 .withTimeFactor(TimeFactor.MAX)

@@ -148,6 +148,16 @@ class JsonTest {
   }
 
   @Test
+  void aFileForPeopleHasALineForEachMember() {
+    Map<String, Object> object = Json.object("list", List.of(1, Map.of("a", 2)), "none", List.of());
+
+    assertThat(Json.lines(object))
+        .isEqualTo(
+            "{\n  \"list\": [\n    1,\n    {\n      \"a\": 2\n    }\n  ],\n  \"none\": []\n}");
+    assertThat(Json.value(Json.lines(object))).isEqualTo(Json.value(Json.text(object)));
+  }
+
+  @Test
   void whatIsWrittenIsOneLineOfAscii() {
     Map<String, Object> object = new LinkedHashMap<>();
     object.put("text", "ä \"b\" \\ \n \u007f");

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** A program that does what JUnit does with classes of tests: simulators on some threads. */
+/** A program that runs simulators on several threads, as JUnit does with test classes. */
 public final class KitClasses {
 
   private static final int THREADS = 2;
@@ -19,12 +19,12 @@ public final class KitClasses {
   /**
    * Prints {@code classes failures threadsLeft descriptorsLeft} after each run.
    *
-   * @param arguments how many runs, and how many simulators one after another on each thread
+   * @param arguments the number of runs, and the number of consecutive simulators on each thread
    */
   public static void main(String[] arguments) throws IOException, InterruptedException {
     int runs = Integer.parseInt(arguments[0]);
     int each = Integer.parseInt(arguments[1]);
-    once(); // loads what stays
+    once(); // loads what is never unloaded
     Set<Thread> before = Thread.getAllStackTraces().keySet();
     long descriptors = descriptors();
     for (int run = 0; run < runs; run++) {
@@ -76,7 +76,7 @@ public final class KitClasses {
     }
   }
 
-  /** How many threads do not end that have begun since. */
+  /** Counts the threads that were started since then and do not end. */
   private static int left(Set<Thread> before) throws InterruptedException {
     int left = 0;
     for (Thread thread : Thread.getAllStackTraces().keySet()) {

@@ -11,13 +11,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
-/** Nothing of a simulator is left when it is closed. */
+/** A closed simulator leaves no threads or descriptors. */
 class KitLeaksTest {
 
   private static final int SIMULATORS = 50;
   private static final int PATIENCE_MS = 20_000;
 
-  /** Descriptors that the JVM itself may open meanwhile, such as those of jars. */
+  /** Descriptors that the JVM itself may open in the meantime, such as those of jars. */
   private static final int OTHERS = 10;
 
   @Test

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Programs are Java sources here, since each machine that builds this runs Java. */
+/** The programs are Java sources, because every machine that builds the project can run Java. */
 @Tag("process")
 @TelloTest
 class OperatorProgramTest {

@@ -7,14 +7,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The smallest operator program there is. */
+/** A minimal operator program. */
 final class ScriptedOperator {
 
   private static final int PATIENCE_MS = 30_000;
 
   private ScriptedOperator() {}
 
-  /** Sends commands, each after the reply to the one before, and returns the replies. */
+  /** Sends commands, each after the reply to the previous one, and returns the replies. */
   static List<String> fly(SimulatedDrone drone, String... commands) throws IOException {
     List<String> replies = new ArrayList<>();
     try (DatagramSocket socket = new DatagramSocket()) {

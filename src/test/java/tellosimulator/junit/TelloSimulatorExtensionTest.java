@@ -34,10 +34,12 @@ import org.junit.platform.testkit.engine.EngineTestKit;
 import org.junit.platform.testkit.engine.Event;
 import tellosimulator.recording.RecordingFiles;
 
-/** What JUnit reports of tests with simulated drones, and what the tests get. */
+/**
+ * The results that JUnit reports for tests with simulated drones, and the parameters of the tests.
+ */
 class TelloSimulatorExtensionTest {
 
-  /** What the samples below saw. */
+  /** Records written by the samples below. */
   private static final List<String> SEEN = new CopyOnWriteArrayList<>();
 
   @TempDir private Path published;
@@ -47,7 +49,7 @@ class TelloSimulatorExtensionTest {
     SEEN.clear();
   }
 
-  // --- one simulator a class, which begins anew ---
+  // --- one simulator per class, reset before each test ---
 
   @TelloTest(drones = 2)
   static final class OneClass {
@@ -480,7 +482,7 @@ class TelloSimulatorExtensionTest {
     return failures(false, selector);
   }
 
-  /** The failures of samples by their names. */
+  /** Returns the failures of samples by their names. */
   private Map<String, Throwable> failures(boolean parallel, DiscoverySelector selector) {
     OutputDirectoryProvider output =
         new OutputDirectoryProvider() {
@@ -519,7 +521,7 @@ class TelloSimulatorExtensionTest {
         .orElseThrow();
   }
 
-  /** Without moments and durations. */
+  /** Removes times and durations. */
   private static String blurred(String line) {
     return line.strip().replaceAll("[0-9]+(\\.[0-9]+)? (s|cm/s)\\b", "# $2");
   }

@@ -84,7 +84,7 @@ class TelloSimulatorTest {
       assertThat(drone.journal().entries()).isEmpty();
       assertThat(simulator.simulation().time()).isZero();
       assertThat(simulator.simulation().goals().seconds()).isZero();
-      ScriptedOperator.send(drone, "battery?"); // without `command` nobody answers
+      ScriptedOperator.send(drone, "battery?"); // without `command` there is no reply
       JournalEntry entry = drone.journal().await("battery?", Duration.ofSeconds(20));
       assertThat(entry.outcome()).isEqualTo(JournalEntry.Outcome.IGNORED);
     }

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** The code of docs/testing.md: each block of the page is here, and runs. */
+/** The code in docs/testing.md: this class contains and runs each block of the page. */
 class TestingPageTest {
 
   private static final Pattern BLOCK = Pattern.compile("(?s)```java\\R(.*?)```");

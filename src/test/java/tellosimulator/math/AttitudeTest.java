@@ -93,7 +93,7 @@ class AttitudeTest {
     Attitude to = from.after(turn(new Vec3(0, 0.6, 0.8), 0.01));
 
     assertThat(from.errorTo(to).distanceTo(new Vec3(0, 0.006, 0.008))).isLessThan(1e-6);
-    // The same orientation is written by two quaternions; the error takes the short way to both.
+    // Two quaternions represent the same orientation; the error is the shorter rotation for both.
     Attitude negative = new Attitude(-to.w(), -to.x(), -to.y(), -to.z());
     assertThat(from.errorTo(negative).distanceTo(from.errorTo(to))).isLessThan(TINY);
   }
@@ -120,7 +120,7 @@ class AttitudeTest {
     assertThat(norm).isCloseTo(1, within(TINY));
   }
 
-  /** A turn about a unit vector, right-handed. */
+  /** Returns a right-handed rotation about a unit vector. */
   private static Attitude turn(Vec3 axis, double angle) {
     double sine = StrictMath.sin(angle / 2);
     return new Attitude(

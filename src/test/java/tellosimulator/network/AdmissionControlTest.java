@@ -84,8 +84,8 @@ class AdmissionControlTest {
     assertThat(dropped).hasSize(1);
     assertThat(dropped.get(0).words())
         .isEqualTo(
-            "3 datagrams from 192.168.2.9 turned away: only private addresses of this machine's own"
-                + " networks are listened to; --operator names another one");
+            "3 datagrams from 192.168.2.9 turned away: only private addresses on this machine's own"
+                + " networks are accepted; use --operator to allow another one");
   }
 
   @Test
@@ -111,7 +111,7 @@ class AdmissionControlTest {
     assertThat(admitted(admission, OPERATOR, "battery?", 100)).isEqualTo(100);
   }
 
-  /** The power switch of a drone that is tested may go up and down many times a second. */
+  /** A test may switch its drone on and off many times a second. */
   @Test
   void nobodyIsTurnedAwayFromAFreeDroneAtAPaceThatProgramsHave() {
     Simulation simulation = operated(OperatorRule.FIRST);
@@ -142,7 +142,7 @@ class AdmissionControlTest {
     return admission.admits(host(host), host("192.168.1.2"), bytes, bytes.length, networks);
   }
 
-  /** A drone that is on, and whose operator has sent {@code command}. */
+  /** Returns a simulation with a drone that is on, and whose operator has sent {@code command}. */
   private Simulation operated(OperatorRule rule) {
     SimListener listener =
         new SimListener() {
@@ -155,13 +155,10 @@ class AdmissionControlTest {
         };
     Simulation simulation =
         new Simulation(
-            SimConfig.DEFAULT.withOperators(rule),
-            drone -> (peer, text) -> {},
-            report -> {},
-            List.of(listener));
+            SimConfig.DEFAULT.withOperators(rule), drone -> datagram -> {}, List.of(listener));
     simulation.control(new Control.Power(1, true));
     simulation.drain();
-    simulation.submit(1, peer(OPERATOR), "command");
+    simulation.submit(1, peer(OPERATOR), WireText.encode("command"));
     simulation.drain();
     return simulation;
   }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
@@ -28,15 +29,15 @@ class DatagramBatchTest {
   private final List<String> taken = new ArrayList<>();
   private final Map<Integer, CommandConnection> connections = new TreeMap<>();
 
-  /** Each text has the number of its drone before it. */
+  /** Each text is preceded by the number of its drone. */
   @ParameterizedTest
   @CsvSource({
-    // one program, which waits for each reply
+    // a program that waits for each reply
     "'1 up 30, 2 rc 0 0 0 0', '2 rc 0 0 0 0, 1 up 30'",
     "'2 battery?, 1 emergency, 2 x', '1 emergency, 2 battery?, 2 x'",
     "'3 land, 1 rc 9 0 0 0, 2 Re0101 emergency', '1 rc 9 0 0 0, 2 Re0101 emergency, 3 land'",
     "'1 rc 1 0 0 0, 2 up 20, 1 rc 2 0 0 0', '1 rc 1 0 0 0, 1 rc 2 0 0 0, 2 up 20'",
-    // to one drone nothing changes places
+    // nothing is reordered for a single drone
     "'1 up 30, 1 rc 0 0 0 0, 1 emergency', '1 up 30, 1 rc 0 0 0 0, 1 emergency'",
     "'1 up 30, 2 land, 1 rc 0 0 0 0', '1 up 30, 1 rc 0 0 0 0, 2 land'",
     "'1 rcx, 2 emergencies, 3 tof?', '1 rcx, 2 emergencies, 3 tof?'"
@@ -49,7 +50,7 @@ class DatagramBatchTest {
           new DatagramBatch.Entry(
               connections.computeIfAbsent(drone, DatagramBatchTest::connection),
               new Peer(ADDRESS, ADDRESS),
-              each.substring(2)));
+              WireText.encode(each.substring(2))));
     }
     Simulation simulation = simulation();
     batch.handOver(simulation);
@@ -64,7 +65,9 @@ class DatagramBatchTest {
     DatagramBatch batch = new DatagramBatch();
     int noSuchDrone = 9;
     for (int drone : new int[] {1, noSuchDrone, 2}) {
-      batch.add(new DatagramBatch.Entry(connection(drone), new Peer(ADDRESS, ADDRESS), "x"));
+      batch.add(
+          new DatagramBatch.Entry(
+              connection(drone), new Peer(ADDRESS, ADDRESS), WireText.encode("x")));
     }
     Simulation simulation = simulation();
 
@@ -93,6 +96,6 @@ class DatagramBatchTest {
         };
     SimConfig config =
         SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(3, Vec3.ZERO, Room.DEFAULT));
-    return new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of(listener));
+    return new Simulation(config, drone -> datagram -> {}, List.of(listener));
   }
 }

@@ -31,7 +31,7 @@ import tellosimulator.testing.CapturedLog;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
 
-/** Real sockets on loopback, on ports that the system chooses. */
+/** Uses real sockets on loopback, on ports that the system chooses. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class DroneNetworkTest {
 
@@ -265,7 +265,7 @@ class DroneNetworkTest {
     }
   }
 
-  /** Otherwise each state line would be answered, and each answer too, without end. */
+  /** Otherwise each state line would be answered, and so would each answer, endlessly. */
   @Test
   void whatADroneSendsToItselfIsNoCommand() throws IOException {
     List<String> received = new CopyOnWriteArrayList<>();
@@ -300,8 +300,7 @@ class DroneNetworkTest {
             .withRoom(Room.DEFAULT, Formation.row(drones, Vec3.ZERO, Room.DEFAULT))
             .withTimeFactor(new TimeFactor(20))
             .withStreamPorts(new StreamPorts(statePort, 11_111));
-    Simulation simulation =
-        new Simulation(config, network.replies(replyPort), network.states(), List.of(listeners));
+    Simulation simulation = new Simulation(config, network.senders(replyPort), List.of(listeners));
     for (int drone = 1; drone <= drones; drone++) {
       simulation.control(new Control.Power(drone, true));
     }
@@ -310,7 +309,7 @@ class DroneNetworkTest {
     return loop;
   }
 
-  /** The first two loopback addresses; the second one is missing on some systems. */
+  /** Returns the first two loopback addresses; the second one is missing on some systems. */
   private static List<InetAddress> loopbacks() {
     InetAddress second = address("127.0.0.2", 0).getAddress();
     try (DatagramSocket probe = new DatagramSocket(new InetSocketAddress(second, 0))) {

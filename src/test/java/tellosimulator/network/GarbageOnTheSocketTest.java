@@ -33,7 +33,10 @@ import tellosimulator.sim.Simulation;
 import tellosimulator.sim.SimulationLoop;
 import tellosimulator.time.TimeFactor;
 
-/** Anything at all on the command socket, from several peers at once: the drone still flies. */
+/**
+ * Sends arbitrary datagrams to the command socket, from several peers at once: the drone still
+ * flies.
+ */
 class GarbageOnTheSocketTest {
 
   private static final int PEERS = 4;
@@ -41,7 +44,7 @@ class GarbageOnTheSocketTest {
   private static final int DATAGRAMS_OF_A_SOCKET = 5000;
   private static final int BURST = 50;
 
-  /** The largest datagram that IPv4 carries: 65,535 less the headers of IP and UDP. */
+  /** The largest datagram that IPv4 carries: 65,535 bytes less the headers of IP and UDP. */
   private static final int LARGEST = 65_507;
 
   private static final int LAST_EVENTS = 40;
@@ -78,8 +81,9 @@ class GarbageOnTheSocketTest {
 
         garbageFromAllPeers(drone);
 
-        // The kernel drops what a full socket buffer cannot take; most of it must have come. What
-        // does not even begin like a command is turned away beyond some hundred a second.
+        // The kernel drops datagrams when the socket buffer is full; most must have arrived.
+        // Datagrams that do not even begin like a command are rejected beyond a few hundred a
+        // second.
         assertThat(network.traffic(1).received()).isGreaterThan(PEERS * DATAGRAMS_OF_A_PEER / 2);
         assertThat(heard.get()).isGreaterThan(PEERS * DATAGRAMS_OF_A_PEER / 6);
         assertThat(namesOfNewThreads(before)).contains("sim", "receiver");
@@ -107,7 +111,10 @@ class GarbageOnTheSocketTest {
     }
   }
 
-  /** Peers one after the other: each vanishes after some thousands, before its replies come. */
+  /**
+   * Sends garbage from one peer after another. Each closes after some thousand datagrams, before
+   * its replies arrive.
+   */
   private static int garbage(long seed, InetSocketAddress drone) throws IOException {
     GarbageSource garbage = new GarbageSource(seed);
     int sent = 0;
@@ -128,13 +135,16 @@ class GarbageOnTheSocketTest {
     return sent;
   }
 
-  /** Lets the drone catch up, so that the kernel drops little; goes on if the probe is lost. */
+  /**
+   * Waits until the drone has caught up, so that the kernel drops little; continues if the probe is
+   * lost.
+   */
   private static void awaitEcho(DatagramSocket socket, InetSocketAddress drone, String probe)
       throws IOException {
     send(socket, drone, probe);
     try {
       while (!receive(socket).equals("unknown command: " + probe)) {
-        // The replies before it are those to the garbage.
+        // the replies before it are those to the garbage
       }
     } catch (SocketTimeoutException e) {
       return;
@@ -150,10 +160,10 @@ class GarbageOnTheSocketTest {
     };
   }
 
-  /** As a person would after a mess: back to the start, then a flight. */
+  /** Recovers as a user would: back to the start, then a flight. */
   private void fly(Simulation simulation, InetSocketAddress drone) throws IOException {
     try (DatagramSocket operator = new DatagramSocket(address("127.0.0.1", 0))) {
-      operator.connect(drone); // deaf to late replies of others to whoever had its port before
+      operator.connect(drone); // ignores late replies to the previous owner of its port
       operator.setSoTimeout(20_000);
       awaitAnswer(operator, drone);
       simulation.control(new Control.Reset(1));
@@ -174,7 +184,7 @@ class GarbageOnTheSocketTest {
     return String.join("\n", lastEvents);
   }
 
-  /** Asks until what was waiting before is worked off. */
+  /** Asks until all earlier datagrams are processed. */
   private static void awaitAnswer(DatagramSocket operator, InetSocketAddress drone)
       throws IOException {
     operator.setSoTimeout(1000);
@@ -214,8 +224,7 @@ class GarbageOnTheSocketTest {
             SimConfig.DEFAULT
                 .withTimeFactor(new TimeFactor(20))
                 .withStreamPorts(new StreamPorts(statePort, 11_111)),
-            network.replies(OptionalInt.empty()),
-            network.states(),
+            network.senders(OptionalInt.empty()),
             List.of(counter));
     simulation.control(new Control.Power(1, true));
     return simulation;

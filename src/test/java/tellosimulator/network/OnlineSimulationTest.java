@@ -191,7 +191,7 @@ class OnlineSimulationTest {
     return simulation.snapshot().drones().get(0).state().phase();
   }
 
-  /** The system loses what comes while the socket's buffer is full. */
+  /** Repeats a question, since the system drops datagrams while the socket's buffer is full. */
   private static String askAgainAndAgain(String text, InetSocketAddress drone) throws IOException {
     try (DatagramSocket socket = new DatagramSocket(address("127.0.0.1", 0))) {
       socket.setSoTimeout(500);
@@ -203,7 +203,7 @@ class OnlineSimulationTest {
           socket.receive(reply);
           return new String(reply.getData(), 0, reply.getLength(), StandardCharsets.ISO_8859_1);
         } catch (SocketTimeoutException e) {
-          // lost, or late
+          // lost or late
         }
       }
     }

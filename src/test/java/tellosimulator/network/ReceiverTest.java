@@ -33,7 +33,7 @@ import tellosimulator.sim.SimListener;
 import tellosimulator.sim.Simulation;
 import tellosimulator.testing.CapturedLog;
 
-/** Real sockets on loopback; the drone is off, and each text that it gets is an event. */
+/** Uses real sockets on loopback; the drone is off, and each text that it receives is an event. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class ReceiverTest {
 
@@ -41,8 +41,7 @@ class ReceiverTest {
 
   private final BlockingQueue<String> taken = new LinkedBlockingQueue<>();
   private final Simulation simulation =
-      new Simulation(
-          SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of(listener()));
+      new Simulation(SimConfig.DEFAULT, drone -> datagram -> {}, List.of(listener()));
   private final Traffic traffic = new Traffic();
   private UdpPort port;
   private Receiver receiver;
@@ -131,7 +130,7 @@ class ReceiverTest {
     }
   }
 
-  /** As where the network of a machine is down for a while. */
+  /** Simulates a machine whose network is down for a while. */
   @Test
   void aSocketMayFailAsOftenAsItLikesAndIsToldOnce() throws Exception {
     UdpPort broken = spy(port);
@@ -169,7 +168,9 @@ class ReceiverTest {
     }
   }
 
-  /** Floods consist of them: what each leaves behind is garbage 50,000 times a second. */
+  /**
+   * A flood consists of rejected datagrams, so each allocation would be made 50,000 times a second.
+   */
   @Test
   void whatIsTurnedAwayMakesNoGarbage() throws Exception {
     int count = 20_000;
@@ -183,7 +184,7 @@ class ReceiverTest {
     InetSocketAddress sender = (InetSocketAddress) client.getLocalSocketAddress();
     byte[] garbage = new byte[1000];
     Arrays.fill(garbage, (byte) 'x');
-    simulation.submit(1, new Peer(sender, port.address()), "command");
+    simulation.submit(1, new Peer(sender, port.address()), WireText.encode("command"));
     simulation.drain();
     for (int i = 0; i < count; i++) {
       connection.take(sender, garbage, garbage.length); // compiles it, and empties the bucket
@@ -232,7 +233,7 @@ class ReceiverTest {
     client.send(new DatagramPacket(bytes, bytes.length, to.address()));
   }
 
-  /** Waits for as many texts, and takes them. */
+  /** Waits for a number of texts and removes them. */
   private List<String> take(int count) throws InterruptedException {
     List<String> texts = new java.util.ArrayList<>();
     while (texts.size() < count) {

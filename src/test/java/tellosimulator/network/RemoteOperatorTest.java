@@ -29,8 +29,8 @@ import tellosimulator.sim.SimListener;
 import tellosimulator.time.TimeFactor;
 
 /**
- * An operator that is reached through the network, played by a program on this machine that uses
- * its address there.
+ * Tests an operator that is reached through the network; a program on this machine plays it, using
+ * this machine's network address.
  */
 @EnabledOnOs(value = OS.LINUX, disabledReason = "only Linux has connected sockets beside others")
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
@@ -81,14 +81,13 @@ class RemoteOperatorTest {
     try (DatagramSocket first = socket()) {
       assertThat(ask(first, "command")).isEqualTo("ok");
       assertThat(receive(states)).startsWith("mid:");
-      send(first, "takeoff"); // the reply comes seconds later
+      send(first, "takeoff"); // the reply arrives seconds later
     }
 
     String free;
     do {
       free = events.take().phrase().english();
-    } while (!free.startsWith(
-        "is free, because nobody takes its replies at " + host.getHostAddress()));
+    } while (!free.startsWith("is free, because its replies at " + host.getHostAddress()));
     assertThat(simulation.snapshot().drones().get(0).link().sdkMode()).isFalse();
     try (DatagramSocket second = socket()) {
       assertThat(ask(second, "command")).isEqualTo("ok");

@@ -96,7 +96,7 @@ class UdpPortTest {
     assertThat(port.isConnectedTo(address("127.0.0.3", 9))).isFalse();
   }
 
-  /** Waits for the next datagram; empty for other news. */
+  /** Receives the next datagram; returns empty if the port reported something else. */
   private static String receiveFrom(UdpPort from) throws IOException {
     ByteBuffer buffer = ByteBuffer.allocate(100);
     from.receive(buffer);

@@ -23,26 +23,26 @@ import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** What profile {@code app-image} has made, where no JDK is to be seen. */
+/** Tests the result of profile {@code app-image} in an environment without a JDK. */
 @EnabledOnOs(OS.LINUX)
 @NeedsTool({Tool.NAMESPACES, Tool.SH, Tool.TAR})
 @Timeout(240)
 class AppImageIT {
 
-  /** Unpacked by a user anywhere, or by the package. */
+  /** Unpacked by a user at any place, or installed by the package. */
   private static final Path FOLDER = Path.of(System.getProperty("simulator.image")).getParent();
 
   private static final Path SCRIPTS = Path.of("src", "test", "resources", "packaging");
 
-  /** First Java whose class-data archive may be moved. Documented: JDK-8279366. */
+  /** First Java version whose class-data archive may be moved. Documented: JDK-8279366. */
   private static final int MOVABLE_ARCHIVE = 19;
 
-  /** First Java with an ahead-of-time cache in one step. Documented: JEP 514. */
+  /** First Java version with an ahead-of-time cache in one step. Documented: JEP 514. */
   private static final int AOT_CACHE = 25;
 
   private static final int PATIENCE_MS = 60_000;
 
-  /** Decided: a class of 24 fetches it over one network. */
+  /** Decided: a class of 24 downloads it over one network. */
   private static final long MOST_BYTES = 90L << 20;
 
   @TempDir private Path temporary;
@@ -107,7 +107,7 @@ class AppImageIT {
         .doesNotContain("left behind");
   }
 
-  /** Reads on until the program is ready, and returns where its drone listens. */
+  /** Reads until the program is ready, and returns its drone's port. */
   private static int port(BufferedReader lines) throws IOException {
     String line = lines.readLine();
     while (line != null && !line.startsWith("ready")) {
@@ -135,7 +135,7 @@ class AppImageIT {
     }
   }
 
-  /** Where no JDK is to be seen. */
+  /** Starts a command in an environment without a JDK. */
   private static Process start(String... command) throws IOException {
     List<String> words = new ArrayList<>(List.of("--user", "--map-root-user", "--mount", "sh"));
     words.addAll(List.of(script("without-jdk.sh"), System.getProperty("java.home")));

@@ -21,7 +21,10 @@ class WindEstimatorTest {
     assertThat(estimator.push()).isSameAs(Vec3.ZERO);
   }
 
-  /** After its lag of 0.4 s a first-order lag knows 1 - 1/e of the push, 63 %. */
+  /**
+   * After its time constant of 0.4 s, a first-order lag has reached 1 - 1/e of the push, which is
+   * 63 %.
+   */
   @Test
   void aSteadyWindIsKnownLate() {
     double push = DroneSpec.LINEAR_DRAG * 3 + DroneSpec.QUADRATIC_DRAG * 9;

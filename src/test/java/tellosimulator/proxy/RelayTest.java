@@ -24,8 +24,11 @@ import tellosimulator.recording.RecordingFolder;
 import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.testing.CapturedLog;
 
-/** A relay that looks around when the test says so; networks that appear are of 127.0.0.0/8. */
-@EnabledOnOs(OS.LINUX) // elsewhere there is no 127.0.0.2 by itself
+/**
+ * Tests a relay that checks the networks when the test calls it; networks that appear are in
+ * 127.0.0.0/8.
+ */
+@EnabledOnOs(OS.LINUX) // other systems have no 127.0.0.2 by default
 class RelayTest {
 
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();

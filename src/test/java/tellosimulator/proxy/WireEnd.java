@@ -9,7 +9,7 @@ import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** A socket of a test, as an operator program or a drone has one, that waits for what comes. */
+/** A blocking socket of a test, used as an operator program or a drone. */
 final class WireEnd implements AutoCloseable {
 
   private static final int PATIENCE_MS = 20_000;
@@ -23,7 +23,7 @@ final class WireEnd implements AutoCloseable {
     socket.setReceiveBufferSize(1 << 20);
   }
 
-  /** At a free port of loopback. */
+  /** Opens a socket on a free port of loopback. */
   static WireEnd loopback() throws IOException {
     return new WireEnd(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
   }
@@ -55,12 +55,12 @@ final class WireEnd implements AutoCloseable {
     return new String(receiveBytes(), StandardCharsets.ISO_8859_1);
   }
 
-  /** Who sent what was received last. */
+  /** The sender of the last datagram. */
   InetSocketAddress sender() {
     return sender;
   }
 
-  /** Whether nothing has come until now. */
+  /** Returns whether nothing has arrived until now. */
   boolean isSilent() throws IOException {
     socket.setSoTimeout(1);
     try {

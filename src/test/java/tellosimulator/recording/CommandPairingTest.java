@@ -9,11 +9,48 @@ import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.recording.RecordedCommand.Outcome;
 
 /**
- * Without events, as a proxy of a real drone records, the wire alone says what belongs together.
+ * Events match replies to commands by a number; without them, as in recordings of a real drone's
+ * proxy, the datagrams alone must be enough.
  */
 class CommandPairingTest {
 
   @TempDir private Path folder;
+
+  @Test
+  void aStopWithTwoRepliesIsOneCommand() throws Exception {
+    List<RecordedCommand> commands =
+        told(
+            """
+            {"t":1,"drone":1,"kind":"command","command":"stop","number":7}
+            {"t":1.5,"drone":1,"kind":"reply","command":"stop","number":7,"reply":"ok"}
+            {"t":2,"drone":1,"kind":"command","command":"stop","number":8}
+            {"t":2.25,"drone":1,"kind":"reply","command":"stop","number":8,"reply":"ok"}
+            {"t":3,"drone":1,"kind":"reply","command":"stop","number":7,"reply":"forced stop"}
+            """);
+
+    assertThat(commands)
+        .extracting(each -> each.text() + " " + each.reply() + " " + each.duration().getAsDouble())
+        .containsExactly("stop ok 0.5", "stop ok 0.25");
+  }
+
+  @Test
+  void equalCommandsAreToldApartByTheirNumbers() throws Exception {
+    List<RecordedCommand> commands =
+        told(
+            """
+            {"t":1,"drone":1,"kind":"command","command":"up 50","number":1}
+            {"t":1,"drone":2,"kind":"command","command":"up 50","number":1}
+            {"t":2,"drone":1,"kind":"command","command":"up 50","number":2}
+            {"t":2,"drone":1,"kind":"refused","command":"up 50","number":2,"reply":"error"}
+            {"t":3,"drone":1,"kind":"reply","command":"up 50","number":1,"reply":"ok"}
+            {"t":4,"drone":1,"kind":"lost","command":"land","reason":"the fault loss"}
+            """);
+
+    assertThat(commands)
+        .extracting(each -> each.drone() + " " + each.text() + " " + each.outcome())
+        .containsExactly(
+            "1 up 50 ANSWERED", "2 up 50 UNANSWERED", "1 up 50 REFUSED", "1 land LOST");
+  }
 
   @Test
   void readsAndRefusalsAreAnsweredBeforeTheCommandThatRuns() throws Exception {
@@ -165,7 +202,7 @@ class CommandPairingTest {
   @Test
   void aDayOfSticksAndReadsIsPairedAtOnce() throws Exception {
     CommandPairing pairing = new CommandPairing();
-    int all = 200_000; // quadratic, it would take hours
+    int all = 200_000; // a quadratic algorithm would take hours
     for (int i = 0; i < all; i++) {
       pairing.take(line(i, "command", i % 20 == 0 ? "battery?" : "rc 0 0 0 0"));
       if (i % 20 == 0) {
@@ -181,6 +218,11 @@ class CommandPairingTest {
 
   private static Fields line(int time, String kind, String text) {
     return Fields.of("{\"t\":%d,\"kind\":\"%s\",\"text\":\"%s\"}".formatted(time, kind, text));
+  }
+
+  private List<RecordedCommand> told(String events) throws UnreadableRecordingException {
+    new RecordingFixture(folder).run("{\"format\":1,\"ended\":9}").with("events.jsonl", events);
+    return RecordedFlight.read(folder).commands();
   }
 
   private List<RecordedCommand> commands(String wire) throws UnreadableRecordingException {

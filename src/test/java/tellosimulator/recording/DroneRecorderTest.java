@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -57,7 +58,7 @@ class DroneRecorderTest {
     return text.getBytes(StandardCharsets.ISO_8859_1);
   }
 
-  /** The commands of each recording, the first recording first. */
+  /** Returns the commands of each recording, the first recording first. */
   private List<List<String>> recorded() throws Exception {
     recorder.close();
     return RecordingFiles.in(folder).stream().map(DroneRecorderTest::commands).toList();
@@ -169,7 +170,13 @@ class DroneRecorderTest {
     }
     recorder.close();
 
-    RecordedFlight flight = RecordedFlight.read(RecordingFiles.only(folder).folder());
+    Path recorded = RecordingFiles.only(folder).folder();
+    assertThat(Files.readAllLines(recorded.resolve("flight.csv")))
+        .hasSize(22)
+        .last()
+        .asString()
+        .endsWith(",1,60.00,-20.00,80.00,2.00,-3.00,10.00,30.0,-10.0,0.0,,89,,,,,80,,,10,89,");
+    RecordedFlight flight = RecordedFlight.read(recorded);
     List<Sample> samples = flight.tracks().get(0).samples();
     Sample last = samples.get(20);
     assertThat(samples).hasSize(21);
@@ -185,7 +192,7 @@ class DroneRecorderTest {
                 + " room is not known");
   }
 
-  /** The datagrams of a real drone have 1460 bytes, but for the last one of a NAL unit. */
+  /** The datagrams of a real drone have 1460 bytes, except for the last one of a NAL unit. */
   @Test
   void theFilmIsPutTogetherFromItsDatagrams() throws Exception {
     command(0, "takeoff");

@@ -16,14 +16,14 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.testing.SimulatedDrones;
 import tellosimulator.world.Room;
 
-/** Two drones, whose flights begin and end together. */
+/** Tests two drones whose flights begin and end together. */
 class FlightDetectorTest {
 
   private final FlightDetector detector = new FlightDetector();
   private final List<String> detected = new ArrayList<>();
   private SimulatedDrones drones;
 
-  /** Asks the detector as the recorder does. */
+  /** Calls the detector as the recorder does. */
   private final class Watching implements SimListener {
     @Override
     public void event(SimEvent event) {

@@ -13,8 +13,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -23,10 +23,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalRegion;
 import tellosimulator.goal.GoalWatch;
+import tellosimulator.goal.Infraction;
+import tellosimulator.goal.Score;
+import tellosimulator.goal.Scoring;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.WireTap.Kind;
 import tellosimulator.scenario.Description;
@@ -36,6 +41,7 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimInput;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.testing.CapturedLog;
@@ -57,7 +63,7 @@ class FlightRecorderTest {
   private FlightRecorder recorder;
   private SimulatedDrones drones;
 
-  /** Hands on what happens once there is a recorder. */
+  /** Passes on events once there is a recorder. */
   private final class Forwarding implements SimListener {
     @Override
     public void event(SimEvent event) {
@@ -83,6 +89,12 @@ class FlightRecorderTest {
     recorder = FlightRecorder.start(folder, subject, told::add, queue);
     drones = new SimulatedDrones(scenario.config(), List.of(goals, new Forwarding()));
     recorder.follow(() -> drones.snapshot().time(), () -> drones.snapshot());
+  }
+
+  private void receive(String text) {
+    recorder.onInput(
+        drones.snapshot().time(),
+        new SimInput.Datagram(1, new Peer(CLIENT, DRONE), WireText.encode(text)));
   }
 
   @AfterEach
@@ -199,7 +211,7 @@ class FlightRecorderTest {
     begin(SimConfig.DEFAULT);
     drones.fly("command", "takeoff");
     double restarted = drones.snapshot().time().seconds();
-    drones.control(new Control.Restart(SimConfig.DEFAULT));
+    drones.control(new Control.NewRun(SimConfig.DEFAULT));
     drones.control(new Control.Power(1, true));
     drones.fly("command", "takeoff");
     drones.control(new Control.Reset(1));
@@ -232,8 +244,8 @@ class FlightRecorderTest {
     Challenge challenge =
         new Challenge(
             List.of(
-                new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(0, 0, 0.2), 0.1)),
-                new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(0, 0, 2.5), 0.1))),
+                new Goal.Reach(Terms.ANY, new GoalRegion(new Vec3(0, 0, 0.2), 0.1)),
+                new Goal.Reach(Terms.ANY, new GoalRegion(new Vec3(0, 0, 2.5), 0.1))),
             true,
             OptionalDouble.empty(),
             false);
@@ -251,6 +263,39 @@ class FlightRecorderTest {
     assertThat(files.goals().get(1)).doesNotContainKey("reached");
     double reached = (double) files.goals().get(0).get("reached");
     assertThat(files.events("goal")).singleElement().extracting("t").isEqualTo(reached);
+  }
+
+  @Test
+  void theScoreIsKeptWithItsReasons() throws Exception {
+    Goal reach = new Goal.Reach(Terms.ANY.worth(10), new GoalRegion(new Vec3(0, 0, 0.2), 0.1));
+    Scoring scoring =
+        new Scoring(
+            Map.of(Infraction.NOT_LANDED, 2.5),
+            Optional.empty(),
+            Optional.empty(),
+            Scoring.Limits.DEFAULT);
+    Challenge challenge =
+        Challenge.NONE.withGoals(List.of(reach)).withScoring(Optional.of(scoring));
+    Scenario plain = Scenario.of(SimConfig.DEFAULT);
+    begin(
+        new Scenario(Description.NONE, plain.config(), plain.stations(), challenge),
+        RecordingFolder.at(parent),
+        new EntryQueue());
+    drones.fly("command", "takeoff");
+    drones.advance(25);
+    recorder.close();
+
+    RecordedFlight flight = RecordedFlight.read(RecordingFiles.only(parent).folder());
+    RecordedScore recorded = flight.run().score().orElseThrow();
+    assertThat(recorded.score().phrase().english()).isEqualTo("score: 7.5 of 10 points");
+    assertThat(recorded.score().entries())
+        .extracting(entry -> Score.number(entry.points()) + ": " + entry.why())
+        .containsExactly(
+            "10: reached goal 1 of 1: reach x 0, y 0, z 20 cm",
+            "-2.5: drone 1 lands by itself: no command came for 15 s");
+    assertThat(recorded.takeoff() + recorded.score().entries().get(0).second())
+        .isCloseTo(flight.goals().get(0).reached().getAsDouble(), within(1e-3));
+    assertThat(flight.scenario().orElseThrow().challenge()).isEqualTo(challenge);
   }
 
   @Test
@@ -282,7 +327,7 @@ class FlightRecorderTest {
     begin(SimConfig.DEFAULT);
     String nasty = "</script><script>\u0000\u0001\n\r\t\"\\\u007f\u0085\u00ff,;";
     drones.fly("command", "takeoff");
-    recorder.received(1, new Peer(CLIENT, DRONE), nasty);
+    receive(nasty);
     drones.send(1, nasty);
     byte[] picture = {0, 0, 1, 2, 3};
     recorder.sent(1, Kind.VIDEO, DRONE, CLIENT, picture);
@@ -316,7 +361,7 @@ class FlightRecorderTest {
     begin(SimConfig.DEFAULT);
     drones.fly("command");
     for (int i = 0; i < 1200; i++) {
-      recorder.received(1, new Peer(CLIENT, DRONE), "battery? " + i);
+      receive("battery? " + i);
     }
     drones.fly("takeoff");
     recorder.close();
@@ -353,7 +398,7 @@ class FlightRecorderTest {
     assertThat(RecordingFiles.only(parent).run()).doesNotContainKey("ended");
   }
 
-  /** Takes nothing. */
+  /** Rejects all writes. */
   private static final class FullDisk extends OutputStream {
     @Override
     public void write(int value) throws IOException {
@@ -387,7 +432,7 @@ class FlightRecorderTest {
     try (CapturedLog log = CapturedLog.of(RecordingWriter.class)) {
       drones.fly("command", "takeoff");
       for (int i = 0; i < 200_000 && told.isEmpty(); i++) {
-        recorder.received(1, new Peer(CLIENT, DRONE), "battery?");
+        receive("battery?");
       }
 
       assertThat(told.take().english()).endsWith("ended, because too much waited to be written");
@@ -426,7 +471,7 @@ class FlightRecorderTest {
     begin(SimConfig.DEFAULT);
     drones.fly("command", "takeoff");
     recorder.setRecording(false);
-    recorder.received(1, new Peer(CLIENT, DRONE), "forward 50"); // while the simulation is paused
+    receive("forward 50"); // while the simulation is paused
     recorder.setRecording(true);
     drones.fly("land");
     drones.advance(4);

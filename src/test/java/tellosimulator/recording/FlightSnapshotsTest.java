@@ -7,23 +7,23 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import tellosimulator.board.BoardLights;
-import tellosimulator.board.MatrixPicture;
+import tellosimulator.extension.BoardLights;
+import tellosimulator.extension.MatrixPicture;
 import tellosimulator.model.DroneState;
 
-/** What a recording says of the lights of a drone's board. */
+/** Tests the lights of a drone's extension board in a recording. */
 class FlightSnapshotsTest {
 
   private static final String EVENTS =
       """
-      {"t":5.0,"drone":1,"kind":"command","severity":"information","text":"","command":"EXT led 255 0 64"}
-      {"t":5.1,"drone":1,"kind":"reply","severity":"information","text":"","command":"EXT led 255 0 64","reply":"led ok"}
-      {"t":6.0,"drone":1,"kind":"command","severity":"information","text":"","command":"EXT led 300 0 0"}
-      {"t":6.0,"drone":1,"kind":"refused","severity":"warning","text":"","command":"EXT led 300 0 0","reply":"error","reason":"r is 300"}
-      {"t":7.0,"drone":1,"kind":"command","severity":"information","text":"","command":"EXT mled s b A"}
-      {"t":7.1,"drone":1,"kind":"reply","severity":"information","text":"","command":"EXT mled s b A","reply":"matrix ok"}
-      {"t":8.0,"drone":1,"kind":"command","severity":"information","text":"","command":"forward 100"}
-      {"t":9.0,"drone":1,"kind":"reply","severity":"information","text":"","command":"forward 100","reply":"ok"}
+      {"t":5.0,"drone":1,"kind":"command","severity":"information","text":"","command":"EXT led 255 0 64","number":1}
+      {"t":5.1,"drone":1,"kind":"reply","severity":"information","text":"","command":"EXT led 255 0 64","number":1,"reply":"led ok"}
+      {"t":6.0,"drone":1,"kind":"command","severity":"information","text":"","command":"EXT led 300 0 0","number":2}
+      {"t":6.0,"drone":1,"kind":"refused","severity":"warning","text":"","command":"EXT led 300 0 0","number":2,"reply":"error","reason":"r is 300"}
+      {"t":7.0,"drone":1,"kind":"command","severity":"information","text":"","command":"EXT mled s b A","number":3}
+      {"t":7.1,"drone":1,"kind":"reply","severity":"information","text":"","command":"EXT mled s b A","number":3,"reply":"matrix ok"}
+      {"t":8.0,"drone":1,"kind":"command","severity":"information","text":"","command":"forward 100","number":4}
+      {"t":9.0,"drone":1,"kind":"reply","severity":"information","text":"","command":"forward 100","number":4,"reply":"ok"}
       """;
 
   @TempDir private Path folder;

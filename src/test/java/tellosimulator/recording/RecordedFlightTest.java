@@ -33,8 +33,8 @@ class RecordedFlightTest {
     assertThat(drone.start().attitude().heading()).isCloseTo(-Math.PI / 2, within(1e-9));
     assertThat(flight.goals())
         .containsExactly(
-            new RecordedGoal("reach x 0, y 50, z 80 cm", OptionalDouble.of(10.5)),
-            new RecordedGoal("land on the mission pad 3", OptionalDouble.empty()));
+            new RecordedGoal(Phrase.name("reach x 0, y 50, z 80 cm"), OptionalDouble.of(10.5)),
+            new RecordedGoal(Phrase.name("land on the mission pad 3"), OptionalDouble.empty()));
     assertThat(flight.begin()).isEqualTo(1);
     assertThat(flight.end()).isEqualTo(15);
   }
@@ -43,7 +43,7 @@ class RecordedFlightTest {
   void samplesHaveMetersAndTheCommandInProgress() throws Exception {
     Track track = RecordedFlight.read(RecordingFixture.in(folder)).tracks().get(0);
 
-    Sample sample = track.at(9.02); // that of 9.0 s: 1 s at 50 cm/s from -100 cm on
+    Sample sample = track.at(9.02); // the sample of 9.0 s: 1 s at 50 cm/s from -100 cm on
     assertThat(sample.time()).isEqualTo(9);
     assertThat(sample.position()).isEqualTo(new Vec3(-0.5, 0.5, 0.8));
     assertThat(sample.velocity()).isEqualTo(new Vec3(0.5, 0, 0));
@@ -130,7 +130,7 @@ class RecordedFlightTest {
                 + " is shown",
             "goals.json cannot be read and is left out");
     assertThat(flight.tracks().get(0).samples()).last().extracting(Sample::time).isEqualTo(8.95);
-    assertThat(flight.events()).last().extracting(RecordedEvent::kind).isEqualTo("reply");
+    assertThat(flight.events()).last().extracting(RecordedEvent::kind).isEqualTo("landed");
   }
 
   @Test

@@ -10,13 +10,13 @@ import java.util.stream.Stream;
 import tellosimulator.json.Json;
 
 /**
- * The files of recordings, read without the project's own reader of them.
+ * The files of recordings, read without the project's own reader.
  *
- * @param folder of one recording
+ * @param folder the folder of one recording
  */
 public record RecordingFiles(Path folder) {
 
-  /** All recordings below a folder, the oldest first. */
+  /** Returns all recordings in a folder, the oldest first. */
   public static List<RecordingFiles> in(Path parent) throws IOException {
     if (Files.notExists(parent)) {
       return List.of();
@@ -26,7 +26,7 @@ public record RecordingFiles(Path folder) {
     }
   }
 
-  /** The only recording below a folder. */
+  /** Returns the only recording in a folder. */
   public static RecordingFiles only(Path parent) throws IOException {
     List<RecordingFiles> all = in(parent);
     if (all.size() != 1) {
@@ -45,27 +45,27 @@ public record RecordingFiles(Path folder) {
     return (List<Map<String, Object>>) Json.value(text("goals.json"));
   }
 
-  /** The lines of a file that has an object in each. */
+  /** Returns the lines of a file that contains one JSON object per line. */
   @SuppressWarnings("unchecked")
   public List<Map<String, Object>> objects(String file) throws IOException {
     return text(file).lines().map(line -> (Map<String, Object>) Json.value(line)).toList();
   }
 
-  /** What happened, of some kinds. */
+  /** Returns the events of some kinds. */
   public List<Map<String, Object>> events(String... kinds) throws IOException {
     return objects("events.jsonl").stream()
         .filter(event -> List.of(kinds).contains(event.get("kind")))
         .toList();
   }
 
-  /** The datagrams of some kinds. */
+  /** Returns the datagrams of some kinds. */
   public List<Map<String, Object>> wire(String... kinds) throws IOException {
     return objects("wire.jsonl").stream()
         .filter(datagram -> List.of(kinds).contains(datagram.get("kind")))
         .toList();
   }
 
-  /** The rows of the table, without its header; there must be no quote in them. */
+  /** Returns the rows of the table without its header; they must not contain quotes. */
   public List<List<String>> rows() throws IOException {
     return text("flight.csv").lines().skip(1).map(row -> List.of(row.split(",", -1))).toList();
   }

@@ -7,12 +7,12 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * Writes the files of a small recording by hand, so that what is read does not depend on what this
- * version writes. A drone takes off at 4 s, flies 100 cm forward from 8 s on and lands at 12 s.
+ * Writes the files of a small recording by hand, so that reading does not depend on this version's
+ * writer. A drone takes off at 4 s, flies 100 cm forward from 8 s on and lands at 12 s.
  */
 public final class RecordingFixture {
 
-  /** What a hostile program sends. */
+  /** The text that a hostile program sends. */
   public static final String MARKUP = "</script><script>document.title='run'</script>";
 
   private static final String RUN =
@@ -26,23 +26,23 @@ public final class RecordingFixture {
 
   private static final String EVENTS =
       """
-      {"t":1.0,"drone":1,"kind":"command","severity":"information","text":"`command` from a:1","command":"command"}
-      {"t":1.005,"drone":1,"kind":"reply","severity":"information","text":"`command` answered `ok`","command":"command","reply":"ok"}
-      {"t":4.0,"drone":1,"kind":"command","severity":"information","text":"`takeoff` from a:1","command":"takeoff"}
+      {"t":1.0,"drone":1,"kind":"command","severity":"information","text":"`command` from a:1","command":"command","number":1}
+      {"t":1.005,"drone":1,"kind":"reply","severity":"information","text":"`command` answered `ok`","command":"command","number":1,"reply":"ok"}
+      {"t":4.0,"drone":1,"kind":"command","severity":"information","text":"`takeoff` from a:1","command":"takeoff","number":2}
       {"t":4.2,"drone":1,"kind":"took-off","severity":"information","text":"took off","x":-100,"y":50,"z":0}
-      {"t":7.5,"drone":1,"kind":"reply","severity":"information","text":"`takeoff` answered `ok`","command":"takeoff","reply":"ok"}
-      {"t":8.0,"drone":1,"kind":"command","severity":"information","text":"`forward 100` from a:1","command":"forward 100"}
-      {"t":8.5,"drone":1,"kind":"command","severity":"detail","text":"`battery?` from a:1","command":"battery?"}
-      {"t":8.5,"drone":1,"kind":"reply","severity":"detail","text":"`battery?` answered `87`","command":"battery?","reply":"87\\r\\n"}
-      {"t":9.0,"drone":1,"kind":"command","severity":"information","text":"`cw 90` from a:1","command":"cw 90"}
-      {"t":9.0,"drone":1,"kind":"refused","severity":"warning","text":"`cw 90` refused: forward 100 is not over","command":"cw 90","reply":"error Not joystick","reason":"`forward 100` is not over","x":-60,"y":50,"z":80}
+      {"t":7.5,"drone":1,"kind":"reply","severity":"information","text":"`takeoff` answered `ok`","command":"takeoff","number":2,"reply":"ok"}
+      {"t":8.0,"drone":1,"kind":"command","severity":"information","text":"`forward 100` from a:1","command":"forward 100","number":3}
+      {"t":8.5,"drone":1,"kind":"command","severity":"detail","text":"`battery?` from a:1","command":"battery?","number":4}
+      {"t":8.5,"drone":1,"kind":"reply","severity":"detail","text":"`battery?` answered `87`","command":"battery?","number":4,"reply":"87\\r\\n"}
+      {"t":9.0,"drone":1,"kind":"command","severity":"information","text":"`cw 90` from a:1","command":"cw 90","number":5}
+      {"t":9.0,"drone":1,"kind":"refused","severity":"warning","text":"`cw 90` refused: forward 100 is not over","command":"cw 90","number":5,"reply":"error Not joystick","reason":"`forward 100` is not over","x":-60,"y":50,"z":80}
       {"t":9.5,"drone":1,"kind":"touched","severity":"information","text":"touched the obstacle pole at 0.4 m/s","x":-50,"y":50,"z":80}
-      {"t":10.5,"drone":1,"kind":"reply","severity":"information","text":"`forward 100` answered `ok`","command":"forward 100","reply":"ok"}
-      {"t":11.0,"drone":1,"kind":"command","severity":"information","text":"`MARKUP_HERE` from a:1","command":"MARKUP_HERE"}
-      {"t":11.0,"drone":1,"kind":"refused","severity":"warning","text":"`MARKUP_HERE` refused: nobody knows it","command":"MARKUP_HERE","reply":"unknown command: MARKUP_HERE","reason":"nobody knows MARKUP_HERE"}
-      {"t":12.0,"drone":1,"kind":"command","severity":"information","text":"`land` from a:1","command":"land"}
+      {"t":10.5,"drone":1,"kind":"reply","severity":"information","text":"`forward 100` answered `ok`","command":"forward 100","number":3,"reply":"ok"}
+      {"t":11.0,"drone":1,"kind":"command","severity":"information","text":"`MARKUP_HERE` from a:1","command":"MARKUP_HERE","number":6}
+      {"t":11.0,"drone":1,"kind":"refused","severity":"warning","text":"`MARKUP_HERE` refused: nobody knows it","command":"MARKUP_HERE","number":6,"reply":"unknown command: MARKUP_HERE","reason":"nobody knows MARKUP_HERE"}
+      {"t":12.0,"drone":1,"kind":"command","severity":"information","text":"`land` from a:1","command":"land","number":7}
       {"t":14.0,"drone":1,"kind":"landed","severity":"information","text":"landed"}
-      {"t":14.1,"drone":1,"kind":"reply","severity":"information","text":"`land` answered `ok`","command":"land","reply":"ok"}
+      {"t":14.1,"drone":1,"kind":"reply","severity":"information","text":"`land` answered `ok`","command":"land","number":7,"reply":"ok"}
       {"t":14.5,"kind":"goal","severity":"information","text":"goals: 1 of 2 reached after 10.0 s"}
       """;
 
@@ -59,7 +59,7 @@ public final class RecordingFixture {
   private final Path folder;
 
   /**
-   * @param folder to be made
+   * @param folder the folder to create
    */
   public RecordingFixture(Path folder) {
     this.folder = folder;
@@ -70,13 +70,13 @@ public final class RecordingFixture {
     }
   }
 
-  /** All of it. */
+  /** Writes the whole recording. */
   public static Path in(Path folder) {
     new RecordingFixture(folder).run(RUN).events().samples(15).with("goals.json", GOALS);
     return folder;
   }
 
-  /** {@code run.json} with a part of it replaced. */
+  /** Writes {@code run.json} with a part of it replaced. */
   public RecordingFixture runWith(String part, String replacement) {
     if (!RUN.contains(part)) {
       throw new IllegalArgumentException("part is " + part + ", but there is none");
@@ -92,7 +92,10 @@ public final class RecordingFixture {
     return with("events.jsonl", EVENTS.replace("MARKUP_HERE", MARKUP));
   }
 
-  /** A row each 0.05 s: up to 80 cm within 2 s, 100 cm forward from 8 s on, down from 12 s on. */
+  /**
+   * Writes a row every 0.05 s: up to 80 cm within 2 s, 100 cm forward from 8 s on, and down from 12
+   * s on.
+   */
   public RecordingFixture samples(double end) {
     StringBuilder rows = new StringBuilder(HEADER);
     for (int i = 80; i <= Math.round(end * 20); i++) {
@@ -115,7 +118,7 @@ public final class RecordingFixture {
     return with("flight.csv", rows.toString().replace(System.lineSeparator(), "\n"));
   }
 
-  /** A file. */
+  /** Writes a file. */
   public RecordingFixture with(String name, String text) {
     try {
       Files.writeString(folder.resolve(name), text);

@@ -79,7 +79,7 @@ class AllSystemsIT {
     assertReady(program("x64"), "--on");
   }
 
-  /** Starts a program, waits until its drone takes commands, and ends it. */
+  /** Starts a program, waits until its drone accepts commands, and ends it. */
   private void assertReady(Path program, String option) throws IOException, InterruptedException {
     Path errors = home.resolve("errors");
     ProcessBuilder builder =
@@ -114,7 +114,7 @@ class AllSystemsIT {
     return program;
   }
 
-  /** JavaFX's jar for a system, beside that of this one in the local repository. */
+  /** Returns JavaFX's jar for a system, next to this system's one in the local repository. */
   private static Path graphics(String classifier) {
     for (String jar : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
       String name = Path.of(jar).getFileName().toString();
@@ -126,7 +126,7 @@ class AllSystemsIT {
     throw new AssertionError("JavaFX is not on the class path");
   }
 
-  /** For which processor each native library in a jar is. */
+  /** Returns the processor of each native library in a jar. */
   private static Map<String, String> processorsOfLibraries(Path jar) throws IOException {
     Map<String, String> processors = new TreeMap<>();
     try (ZipFile zip = new ZipFile(jar.toFile())) {

@@ -17,7 +17,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import org.junit.jupiter.api.Test;
 
-/** Each library in the program is in the notice, with a licence whose text is in the program. */
+/** Checks that the notice has each bundled library, with a licence whose text is in the program. */
 class LicensesIT {
 
   private static final Path PROGRAM =
@@ -61,7 +61,7 @@ class LicensesIT {
     }
   }
 
-  /** The names of texts of licences in a paragraph; that of Apache-2.0 is the program's own. */
+  /** Returns the licence files named in a paragraph; that of Apache-2.0 is the program's own. */
   private static List<String> filesNamedIn(String paragraph) {
     return FILE.matcher(paragraph)
         .results()
@@ -69,7 +69,7 @@ class LicensesIT {
         .toList();
   }
 
-  /** The SPDX identifiers of the licences of each library, by the name of its artifact. */
+  /** Returns the SPDX identifiers of the licences of each library, by the name of its artifact. */
   private static Map<String, List<String>> licenses() throws IOException {
     return LIBRARY
         .matcher(read("META-INF/licenses/THIRD-PARTY.txt"))
@@ -81,7 +81,7 @@ class LicensesIT {
                     LICENSE.matcher(library.group(1)).results().map(one -> one.group(1)).toList()));
   }
 
-  /** What the notice says of each library, by the name of its artifact. */
+  /** Returns the paragraph of the notice on each library, by the name of its artifact. */
   private static Map<String, String> paragraphs() throws IOException {
     return Arrays.stream(read("META-INF/NOTICE").split("\n\n", -1))
         .flatMap(

@@ -25,7 +25,7 @@ import org.w3c.dom.Node;
 import org.w3c.dom.NodeList;
 import tellosimulator.json.Json;
 
-/** Files that name the project, its version or its libraries say what pom.xml says. */
+/** Checks that files with the project's name, version or libraries agree with pom.xml. */
 class ReleaseFilesTest {
 
   private static final Pattern VARIABLE = Pattern.compile("\\$\\{([^}]+)}");
@@ -33,7 +33,7 @@ class ReleaseFilesTest {
   private static final Pattern RELEASE =
       Pattern.compile("(?m)^## (\\d+\\.\\d+\\.\\d+) - \\d{4}-\\d\\d-\\d\\d$");
 
-  /** A whole commit, and beside it the version that it is. */
+  /** A full commit hash, followed by its version. */
   private static final Pattern PINNED =
       Pattern.compile("[\\w/-]+@[0-9a-f]{40} # v\\d+(\\.\\d+){2}");
 
@@ -138,7 +138,7 @@ class ReleaseFilesTest {
         assertThat(keys(yaml(workflow))).contains("name", "on", "permissions", "jobs");
         assertThat(ACTION.matcher(Files.readString(workflow)).results().map(uses -> uses.group(1)))
             .as("%s", workflow)
-            .filteredOn(used -> !used.startsWith("./")) // of this very commit
+            .filteredOn(used -> !used.startsWith("./")) // actions in the same commit
             .isNotEmpty()
             .allMatch(PINNED.asMatchPredicate());
       }
@@ -155,7 +155,7 @@ class ReleaseFilesTest {
     }
   }
 
-  /** The libraries that a project does not inherit, as jbang writes them. */
+  /** Returns the libraries that a project does not inherit, in the notation of jbang. */
   private Stream<String> librariesOfTheProgramAlone() {
     return dependencies.stream()
         .filter(one -> one.containsKey("optional") && !one.containsKey("scope"))
@@ -174,7 +174,9 @@ class ReleaseFilesTest {
     return project.get("version");
   }
 
-  /** The texts of an element's children, by their names, with the pom's properties filled in. */
+  /**
+   * Returns the texts of an element's children, by their names, with the pom's properties resolved.
+   */
   private Map<String, String> texts(Element element) {
     UnaryOperator<String> filled =
         text ->

@@ -8,12 +8,13 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Random;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.goal.Challenge;
 import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.recording.InitialConditions;
-import tellosimulator.recording.RecordedInput;
+import tellosimulator.recording.RecordedInputs.RecordedInput;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.scenario.Scenario;
@@ -27,10 +28,10 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Wind;
 
 /**
- * A recorded flight of hours, whose battery is charged in the air: each simulated second a maneuver
- * or a read, by a seeded generator, with gusts of wind now and then.
+ * A recorded flight of hours, whose battery is charged in the air. In each simulated second, a
+ * seeded generator chooses a maneuver or a read command; there are occasional gusts of wind.
  */
-public final class LongFlight {
+public final class LongFlight implements Inputs {
 
   private static final int DRONE = 1;
   private static final int CHARGED_EVERY = 300;
@@ -39,10 +40,10 @@ public final class LongFlight {
   private static final InetSocketAddress OPERATOR = SteppedDrone.address("127.0.0.1", 9001);
   private static final InetSocketAddress COMMANDS = SteppedDrone.address("127.0.0.1", 8889);
 
-  /** From one to the next, so that each maneuver is over. */
+  /** Seconds between maneuvers, so that each is completed. */
   private static final int MANEUVER_EVERY = 5;
 
-  /** Together they lead back to where they began. */
+  /** Maneuvers that together lead back to the starting point. */
   private static final List<String> MANEUVERS =
       List.of(
           "forward 60",
@@ -81,9 +82,9 @@ public final class LongFlight {
   }
 
   /**
-   * Records such a flight, and flies the recording again.
+   * Records such a flight and replays the recording.
    *
-   * @param parent where both recordings will be
+   * @param parent the folder for both recordings
    */
   public static Repetition repeat(double hours, Path parent)
       throws IOException, UnreadableRecordingException {
@@ -93,8 +94,9 @@ public final class LongFlight {
                 new InitialConditions(CONFIG, Challenge.NONE, OptionalInt.empty()),
                 "A long flight",
                 Scenario.of(CONFIG),
+                flight,
                 RecordingFolder.at(parent.resolve("recorded")))
-            .fly(flight::next, at(flight.seconds));
+            .fly();
     return Replay.of(recorded).repeat(RecordingFolder.at(parent.resolve("replayed")));
   }
 
@@ -102,8 +104,14 @@ public final class LongFlight {
     return SimTime.ZERO.plus((double) second);
   }
 
-  private Optional<RecordedInput> next() {
-    if (second > seconds) {
+  @Override
+  public boolean goesOn(SimTime now) {
+    return now.isBefore(at(seconds));
+  }
+
+  @Override
+  public Optional<RecordedInput> due(SimTime time) {
+    if (second > seconds || time.isBefore(at(second))) {
       return Optional.empty();
     }
     if (second % CHARGED_EVERY == 0 && !charged) {
@@ -117,7 +125,7 @@ public final class LongFlight {
     SimInput input =
         second % GUST_EVERY == GUST_EVERY - 1
             ? new SimInput.Act(new Control.SetWind(wind()))
-            : new SimInput.Datagram(DRONE, new Peer(OPERATOR, COMMANDS), word());
+            : new SimInput.Datagram(DRONE, new Peer(OPERATOR, COMMANDS), WireText.encode(word()));
     second++;
     return Optional.of(new RecordedInput(now, input));
   }

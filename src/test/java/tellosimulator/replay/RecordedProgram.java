@@ -23,11 +23,11 @@ import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.world.Wind;
 
 /**
- * An operator program that talks to a simulation over real sockets while its flights are recorded.
- * Each line of it is a word and what belongs to it: the number of a drone and a command, whose
- * reply is awaited unless a {@code !} stands before it, or one of {@code states}, {@code reset},
- * {@code power}, {@code battery}, {@code wind}, {@code fault}, {@code start}, {@code pass}, {@code
- * restart} and {@code flood}.
+ * An operator program that communicates with a simulation over real sockets while its flights are
+ * recorded. Each of its lines is a word and its arguments: the number of a drone and a command,
+ * whose reply is awaited unless it is preceded by {@code !}, or one of {@code states}, {@code
+ * reset}, {@code power}, {@code battery}, {@code wind}, {@code fault}, {@code start}, {@code pass},
+ * {@code restart} and {@code flood}.
  */
 final class RecordedProgram implements AutoCloseable {
 
@@ -39,13 +39,14 @@ final class RecordedProgram implements AutoCloseable {
   private final SimConfig config;
   private final RecordingFolder folder;
   private final OnlineSimulation simulation;
+  private final GoalWatch goals;
   private final FlightRecorder recorder;
 
   private RecordedProgram(Scenario scenario, Path parent) throws IOException {
     config = scenario.config().withStreamPorts(new StreamPorts(states.getLocalPort(), 9));
     folder = RecordingFolder.at(parent);
     FlightRecorder[] later = new FlightRecorder[1];
-    GoalWatch goals = new GoalWatch(scenario.challenge(), news -> later[0].event(news));
+    goals = new GoalWatch(scenario.challenge(), news -> later[0].event(news));
     later[0] =
         FlightRecorder.start(
             folder,
@@ -67,9 +68,9 @@ final class RecordedProgram implements AutoCloseable {
   }
 
   /**
-   * Runs a program to its end.
+   * Runs a program until it ends.
    *
-   * @return the folders of the flights, the first one first
+   * @return the folders of the flights, in order
    */
   static List<Path> run(Scenario scenario, String program, Path parent) throws IOException {
     RecordedProgram running = new RecordedProgram(scenario, parent);
@@ -149,6 +150,7 @@ final class RecordedProgram implements AutoCloseable {
   @Override
   public void close() {
     simulation.close();
+    goals.close();
     recorder.close();
     commands.close();
     states.close();

@@ -2,6 +2,7 @@ package tellosimulator.replay;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -15,7 +16,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -28,9 +28,16 @@ import tellosimulator.fault.LinkPreset;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalRegion;
+import tellosimulator.goal.Infraction;
+import tellosimulator.goal.Scoring;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
+import tellosimulator.recording.RecordedCommand;
+import tellosimulator.recording.RecordedFlight;
+import tellosimulator.recording.RecordedScore;
+import tellosimulator.recording.RecordingFixture;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Scenario;
@@ -48,6 +55,17 @@ class ReplayTest {
 
   private static final Room HALL = new Room(9, 9, 4);
 
+  private static final Scoring SCORING =
+      new Scoring(
+          Map.of(
+              Infraction.TOUCH, 1.0,
+              Infraction.CRASH, 2.0,
+              Infraction.REFUSED, 0.25,
+              Infraction.NOT_LANDED, 3.0),
+          Optional.of(new Scoring.Par(1, 0.1)),
+          Optional.of(new Scoring.Bonus(5, 1, 100)),
+          new Scoring.Limits(-100, 100));
+
   @TempDir private Path parent;
 
   private static Scenario scenario(int drones, TimeFactor factor, Behavior behavior) {
@@ -59,15 +77,16 @@ class ReplayTest {
             .withRoom(HALL, Formation.row(drones, Vec3.ZERO, HALL))
             .withProduct(Profile.EDU, behavior)
             .withTimeFactor(factor)
-            .withLink(LinkPreset.IDEAL) // a program that waits for a lost reply waits for ever
+            .withLink(LinkPreset.IDEAL) // a program that waits for a lost reply waits forever
             .withSeed(3);
     Challenge challenge =
         new Challenge(
             List.of(
-                new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(0.5, 0, 0.8), 0.3))),
+                new Goal.Reach(Terms.ANY.worth(10), new GoalRegion(new Vec3(0.5, 0, 0.8), 0.3))),
             true,
             OptionalDouble.empty(),
-            false);
+            false,
+            Optional.of(SCORING));
     Scenario plain = Scenario.of(config.withArena(config.arena().withObstacles(List.of(pole))));
     return new Scenario(Description.NONE, plain.config(), plain.stations(), challenge);
   }
@@ -199,6 +218,22 @@ class ReplayTest {
     assertThat(wire.replayed()).contains("forward 60");
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {MOVES, STICKS, COLLISION, FLIGHTS})
+  void theScoreIsTheSameAgain(String script) throws Exception {
+    List<Path> flights =
+        RecordedProgram.run(
+            scenario(1, new TimeFactor(20), Behavior.REPORT), script, parent.resolve("flown"));
+    for (Path flight : flights) {
+      Optional<RecordedScore> recorded = RecordedFlight.readOutline(flight).run().score();
+      Repetition repetition = repeated(flight);
+
+      assertThat(RecordedFlight.readOutline(repetition.recording()).run().score())
+          .isEqualTo(recorded)
+          .isPresent();
+    }
+  }
+
   @Test
   void aRecordingThatWasCutOffIsComparedAsFarAsItGoes() throws Exception {
     Path flight = flown(MOVES).get(0);
@@ -229,7 +264,53 @@ class ReplayTest {
         .contains("forward 50", "flip l");
   }
 
-  /** Twenty minutes of the day that the endurance test flies. */
+  /**
+   * The recorded takeoff and move are shorter than the simulated ones, and than those of any drone.
+   */
+  @Test
+  void commandsOfARealDroneWaitForTheRepliesOfTheSimulatedOne() throws Exception {
+    Path flight = parent.resolve("real");
+    new RecordingFixture(flight)
+        .run("{\"format\":1,\"program\":\"1.0.0\",\"started\":7.0,\"realDrone\":\"192.168.10.1\"}")
+        .with(
+            "wire.jsonl",
+            """
+            {"t":7.0,"drone":1,"kind":"command","from":"127.0.0.1:9","to":"192.168.10.1:8889","text":"takeoff"}
+            {"t":7.5,"drone":1,"kind":"reply","from":"192.168.10.1:8889","to":"127.0.0.1:9","text":"ok"}
+            {"t":7.6,"drone":1,"kind":"command","from":"127.0.0.1:9","to":"192.168.10.1:8889","text":"forward 100"}
+            {"t":8.0,"drone":1,"kind":"command","from":"127.0.0.1:9","to":"192.168.10.1:8889","text":"battery?"}
+            {"t":8.0,"drone":1,"kind":"reply","from":"192.168.10.1:8889","to":"127.0.0.1:9","text":"87"}
+            {"t":8.2,"drone":1,"kind":"reply","from":"192.168.10.1:8889","to":"127.0.0.1:9","text":"ok"}
+            {"t":8.3,"drone":1,"kind":"command","from":"127.0.0.1:9","to":"192.168.10.1:8889","text":"land"}
+            {"t":9.5,"drone":1,"kind":"reply","from":"192.168.10.1:8889","to":"127.0.0.1:9","text":"ok"}
+            """);
+
+    Repetition repetition = repeated(flight);
+
+    List<RecordedCommand> commands = RecordedFlight.read(repetition.recording()).commands();
+    assertThat(commands)
+        .extracting(each -> each.text() + " " + each.outcome())
+        .containsExactly(
+            "command ANSWERED",
+            "takeoff ANSWERED",
+            "forward 100 ANSWERED",
+            "battery? ANSWERED",
+            "land ANSWERED");
+    assertThat(commands.get(2).sent() - commands.get(1).answered().getAsDouble())
+        .as("after the takeoff's reply, as its program")
+        .isCloseTo(0.1, within(0.006));
+    assertThat(commands.get(3).sent() - commands.get(2).sent())
+        .as("after the move, whose reply its program did not wait for")
+        .isCloseTo(0.4, within(0.006));
+    assertThat(commands.get(1).duration().getAsDouble())
+        .as("as a takeoff of real drones was measured")
+        .isGreaterThan(5);
+    assertThat(repetition.exact()).isFalse();
+    assertThat(repetition.differences()).isEmpty();
+    assertThat(repetition.remarks()).asString().contains("a real drone flew, so that only its");
+  }
+
+  /** Replays twenty minutes of the day-long flight of the endurance test. */
   @Test
   void aLongFlightIsFlownAgainToTheByte() throws Exception {
     Repetition repetition = LongFlight.repeat(1 / 3.0, parent);
@@ -240,10 +321,10 @@ class ReplayTest {
         .isGreaterThan(20_000);
     assertThat(digest(repetition.recording()))
         .as("the same on each JDK; changed by whatever changes a flight or its files")
-        .isEqualTo("d321f9e02d228529");
+        .isEqualTo("ac90eba42da95d00");
   }
 
-  /** Of all that a simulation decides. */
+  /** Returns a digest of everything that is determined by the simulation. */
   private static String digest(Path recording) throws Exception {
     MessageDigest digest = MessageDigest.getInstance("SHA-256");
     for (String name : List.of("wire.jsonl", "events.jsonl", "flight.csv")) {
@@ -273,7 +354,7 @@ class ReplayTest {
   @Test
   void anInputThatCannotBeIsASentence() throws Exception {
     Path flight = flown(MOVES).get(0);
-    change(flight, "inputs.jsonl", "\"drone\":1(,[^\n]*flip l)", "\"drone\":7$1");
+    change(flight, "inputs.jsonl", "\"drone\": 1(,[^\n]*flip l)", "\"drone\": 7$1");
 
     assertThatThrownBy(() -> repeated(flight))
         .isInstanceOf(IOException.class)
@@ -309,7 +390,10 @@ class ReplayTest {
         .startsWith("this version cannot read what it begins from");
   }
 
-  /** What acts from the start begins before the drone is on, and again with each new run. */
+  /**
+   * A fault that is active from the start begins before the drone is on, and again with each new
+   * run.
+   */
   @ParameterizedTest
   @ValueSource(strings = {"yaw-drift 2", "delay replies 20ms", "state-stopped for 2s"})
   void faultsThatActFromTheStartBeginAtTheSameMoment(String fault) throws Exception {

@@ -59,8 +59,8 @@ class ComparisonReportTest {
         .with(
             "events.jsonl",
             """
-            {"t":4.0,"drone":1,"kind":"command","command":"takeoff"}
-            {"t":9.5,"drone":1,"kind":"reply","command":"takeoff","reply":"error"}
+            {"t":4.0,"drone":1,"kind":"command","command":"takeoff","number":1}
+            {"t":9.5,"drone":1,"kind":"reply","command":"takeoff","number":1,"reply":"error"}
             """);
 
     assertThat(html(first, Flight.read(other)))

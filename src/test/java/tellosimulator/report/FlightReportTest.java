@@ -62,6 +62,25 @@ class FlightReportTest {
         .doesNotContainPattern("(?i)\\son[a-z]+=");
   }
 
+  /**
+   * The path reaches at most 100 cm from the middle, and has a margin of one metre; the size of the
+   * room is unknown.
+   */
+  @Test
+  void ofARealDroneThePathIsShownWithoutARoom() throws Exception {
+    new RecordingFixture(folder)
+        .run("{\"format\":1,\"started\":4.0,\"realDrone\":\"192.168.10.1\"}")
+        .samples(15);
+
+    Map<?, ?> data = data(html(RecordedFlight.read(folder)));
+
+    assertThat(data.get("room"))
+        .isEqualTo(Map.of("width", 300.0, "depth", 400.0, "grid", 40.0, "measured", false));
+    assertThat((List<?>) data.get("things")).isEmpty();
+    assertThat((List<?>) ((Map<?, ?>) data.get("film")).get("times")).isEmpty();
+    assertThat(texts(data.get("drones"), "number")).isNotEmpty();
+  }
+
   @Test
   void withoutSamplesAndEventsThereIsStillAPage() throws Exception {
     new RecordingFixture(folder).run("{\"format\":1}");

@@ -9,7 +9,9 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Text is read by everybody, also in the sun: WCAG 2.1 asks for a contrast of 4.5 to 1. */
+/**
+ * Text must be readable for everyone, even in sunlight: WCAG 2.1 requires a contrast of 4.5 to 1.
+ */
 class ReportContrastTest {
 
   private static final Pattern COLOR = Pattern.compile("--([a-z]+): #([0-9a-f]{6});");

@@ -29,10 +29,10 @@ class ReportEntriesTest {
             {"t":1.2,"drone":1,"kind":"command","command":"rc 0 9 0 0"}
             {"t":2,"drone":1,"kind":"touched","severity":"warning","text":"touched the floor"}
             {"t":3,"drone":1,"kind":"command","command":"rc 0 0 0 0"}
-            {"t":4,"drone":1,"kind":"command","command":"time?"}
-            {"t":4,"drone":1,"kind":"reply","command":"time?","reply":"1s"}
-            {"t":5,"drone":1,"kind":"command","command":"time?"}
-            {"t":5,"drone":1,"kind":"reply","command":"time?","reply":"2s"}
+            {"t":4,"drone":1,"kind":"command","command":"time?","number":5}
+            {"t":4,"drone":1,"kind":"reply","command":"time?","number":5,"reply":"1s"}
+            {"t":5,"drone":1,"kind":"command","command":"time?","number":6}
+            {"t":5,"drone":1,"kind":"reply","command":"time?","number":6,"reply":"2s"}
             """);
 
     assertThat(entries)
@@ -47,8 +47,8 @@ class ReportEntriesTest {
     List<ReportEntry> entries =
         entries(
             """
-            {"t":1,"drone":1,"kind":"command","command":"up 9"}
-            {"t":1,"drone":1,"kind":"refused","command":"up 9","reply":"out of range","reason":"too low"}
+            {"t":1,"drone":1,"kind":"command","command":"up 9","number":1}
+            {"t":1,"drone":1,"kind":"refused","command":"up 9","number":1,"reply":"out of range","reason":"too low"}
             {"t":2,"drone":1,"kind":"lost","command":"land","reason":"the fault loss"}
             {"t":3,"drone":1,"kind":"crashed","severity":"error","text":"crashed"}
             """);

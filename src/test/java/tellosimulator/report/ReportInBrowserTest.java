@@ -18,7 +18,7 @@ import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 import tellosimulator.words.Translation;
 
-/** What a browser makes of a report that it opens as a file. */
+/** Opens a report as a file in a browser. */
 @NeedsTool(Tool.CHROMIUM)
 class ReportInBrowserTest {
 
@@ -64,7 +64,7 @@ class ReportInBrowserTest {
                 """),
             "#t=9");
 
-    // down from 80 cm on at 40 cm/s from 12 s on
+    // down from 80 cm at 40 cm/s, from 12 s on
     assertThat(shown(dom, "now")).isEqualTo("13.0 s");
     assertThat(shown(dom, "place")).isEqualTo("x 0, y 50, z 40 cm · landing");
     assertThat(chosenEntry(dom)).contains("<code>land</code>");
@@ -107,7 +107,7 @@ class ReportInBrowserTest {
         .containsExactly("done", "active");
   }
 
-  /** Of the goals' places. */
+  /** Returns the states of the goals' places. */
   private static List<String> states(String dom) {
     return Pattern.compile("<g class=\"goal\"[^>]*data-state=\"([a-z]+)\"")
         .matcher(dom)
@@ -116,7 +116,7 @@ class ReportInBrowserTest {
         .toList();
   }
 
-  /** Neither with the page's policy nor with escaping alone. */
+  /** Checks escaping with the page's policy, and without it. */
   @Test
   void noTextOfACommandRunsAsCode() throws IOException {
     for (Path each : new Path[] {page, with("")}) {
@@ -134,7 +134,7 @@ class ReportInBrowserTest {
 
     Matcher ready = Pattern.compile("data-ready=\"(\\d+)\"").matcher(dom);
     assertThat(ready.find()).isTrue();
-    // 1 s is promised; the machine of a test may be busy with others
+    // the goal is 1 s, but the test machine may be busy
     assertThat(Integer.parseInt(ready.group(1))).isLessThan(5_000);
   }
 
@@ -142,7 +142,7 @@ class ReportInBrowserTest {
     return Chromium.dom(file, anchor, folder);
   }
 
-  /** A copy of the page with one more script, which its policy would not let run. */
+  /** Copies the page with one more script, which its policy would block. */
   private Path with(String script) throws IOException {
     String html =
         Files.readString(page)

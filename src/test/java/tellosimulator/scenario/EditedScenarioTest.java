@@ -6,11 +6,11 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalRegion;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -24,8 +24,7 @@ import tellosimulator.world.Room;
 
 class EditedScenarioTest {
 
-  private static final Goal LAND =
-      new Goal.Land(OptionalInt.empty(), new GoalRegion(Vec3.ZERO, 0.3));
+  private static final Goal LAND = new Goal.Land(Terms.ANY, new GoalRegion(Vec3.ZERO, 0.3));
   private static final ScenarioDocument SLALOM = Gallery.open("slalom").orElseThrow();
 
   @Test
@@ -87,7 +86,7 @@ class EditedScenarioTest {
     return new EditedScenario(opened, present, EditedScenario.of(opened).origins());
   }
 
-  /** The second drone goes, and one like the first comes: what options say of both is not saved. */
+  /** Removes the second drone and adds a copy of the first: the values of options are not saved. */
   @Test
   void plannedDronesTakeNoOptionsIntoAFile() throws Exception {
     ScenarioDocument document =

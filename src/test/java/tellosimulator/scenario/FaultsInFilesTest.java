@@ -15,7 +15,7 @@ import tellosimulator.fault.Fault;
 import tellosimulator.fault.FaultPlan;
 import tellosimulator.fault.LinkPreset;
 
-/** The keys {@code link} and {@code faults} of scenario files. */
+/** Tests the keys {@code link} and {@code faults} of scenario files. */
 class FaultsInFilesTest {
 
   @TempDir private Path folder;

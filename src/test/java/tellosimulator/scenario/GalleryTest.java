@@ -20,7 +20,7 @@ import tellosimulator.testing.SimulatedDrones;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Wind;
 
-/** Flies each scenario that comes with the program: once well, and once as beginners do. */
+/** Flies each scenario that comes with the program: once successfully, and once like a beginner. */
 class GalleryTest {
 
   private static final Path FOLDER = Path.of("src/main/resources/tellosimulator/scenario");
@@ -34,7 +34,11 @@ class GalleryTest {
   @Test
   void tenScenariosComeWithTheProgramAndAllAreListed() throws IOException {
     try (Stream<Path> files = Files.list(FOLDER)) {
-      assertThat(files.map(file -> file.getFileName().toString().replace(".yaml", "")))
+      assertThat(
+              files
+                  .map(file -> file.getFileName().toString())
+                  .filter(name -> name.endsWith(".yaml"))
+                  .map(name -> name.replace(".yaml", "")))
           .containsExactlyInAnyOrderElementsOf(Gallery.NAMES)
           .hasSize(10);
     }
@@ -203,7 +207,7 @@ class GalleryTest {
     assertThat(progress.status()).as("%s, %s", progress, news).isEqualTo(Status.REACHED);
   }
 
-  /** The program ends, and has reached only so many goals. */
+  /** Checks that the program ends after reaching only this number of goals. */
   private void misses(String scenario, String program, int reached) {
     Progress progress = flown(scenario, program);
     assertThat(progress.status()).as("%s", progress).isEqualTo(Status.RUNNING);

@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenario.Scenario.Station;
+import tellosimulator.scenario.Scenario.CommandAddress;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Product;
@@ -23,16 +23,16 @@ import tellosimulator.world.Shape;
 import tellosimulator.world.Wind;
 
 /**
- * One thing that a person does to a scenario.
+ * A single edit of a scenario by a user.
  *
- * @param what for a failure's message
+ * @param what description for failure messages
  * @param changed the scenario afterwards
- * @param linesGone most lines of a text that may be others then, or gone
- * @param linesNew most lines that may be new
+ * @param linesGone maximum number of lines that may be changed or removed
+ * @param linesNew maximum number of lines that may be added
  */
 record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
 
-  /** Lines of a block in which a thing is described. */
+  /** Lines of a block that describes an item. */
   private static final int ITEM = 12;
 
   static RandomEdit of(Scenario scenario, SplittableRandom random) {
@@ -78,8 +78,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
       int index = random.nextInt(arena().obstacles().size());
       Obstacle each = arena().obstacles().get(index);
       Obstacle moved = each.movedTo(each.foot().plus(step()), each.heading());
-      // both ends of a wall may have a line of their own
-      return edit("move " + each.name(), with(index, moved), 2, 2);
+      return edit("move " + each.name(), with(index, moved), ITEM, 1);
     }
 
     private RandomEdit turnObstacle() {
@@ -89,7 +88,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
       int index = random.nextInt(arena().obstacles().size());
       Obstacle each = arena().obstacles().get(index);
       double heading = Math.toRadians(random.nextInt(-35, 37) * 5);
-      return edit("turn " + each.name(), with(index, each.movedTo(each.foot(), heading)), 2, 2);
+      return edit("turn " + each.name(), with(index, each.movedTo(each.foot(), heading)), ITEM, 1);
     }
 
     private RandomEdit resizeObstacle() {
@@ -101,7 +100,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
       Obstacle other =
           new Obstacle(
               each.name(), larger(each.shape()), each.foot(), each.heading(), each.appearance());
-      return edit("resize " + each.name(), with(index, other), 3, 3);
+      return edit("resize " + each.name(), with(index, other), ITEM, 1);
     }
 
     private static Shape larger(Shape shape) {
@@ -151,7 +150,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
       }
       List<Obstacle> fewer = new ArrayList<>(arena().obstacles());
       Obstacle gone = fewer.remove(random.nextInt(fewer.size()));
-      // the next gate may get the name by which a goal calls it
+      // the next gate may get the name to which a goal refers
       return edit("remove " + gone.name(), arena().withObstacles(fewer), ITEM + 6, 3);
     }
 
@@ -210,10 +209,10 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
 
     private RandomEdit addDrone() {
       List<DroneSetup> drones = new ArrayList<>(scenario.config().drones());
-      List<Station> stations = new ArrayList<>(scenario.stations());
+      List<CommandAddress> stations = new ArrayList<>(scenario.stations());
       Pose start = new Pose(step(), tellosimulator.math.Attitude.LEVEL);
       drones.add(DroneSetup.at(start, Product.DEFAULT, new StreamPorts(9000, 11111)));
-      stations.add(Station.USUAL);
+      stations.add(CommandAddress.USUAL);
       return drones("add a drone", drones, stations, ITEM);
     }
 
@@ -224,7 +223,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
       if (drones.size() == 1 || named) {
         return none();
       }
-      List<Station> stations = new ArrayList<>(scenario.stations());
+      List<CommandAddress> stations = new ArrayList<>(scenario.stations());
       int index = random.nextInt(drones.size());
       drones.remove(index);
       stations.remove(index);
@@ -232,7 +231,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
     }
 
     private RandomEdit drones(
-        String what, List<DroneSetup> drones, List<Station> stations, int lines) {
+        String what, List<DroneSetup> drones, List<CommandAddress> stations, int lines) {
       SimConfig config = scenario.config().withDrones(drones);
       Scenario changed =
           new Scenario(scenario.description(), config, stations, scenario.challenge());
@@ -243,7 +242,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
       Room room = arena().room();
       Room other =
           new Room(room.width() + random.nextInt(2) * 0.1, room.depth() + 0.25, room.height());
-      return edit("resize the room", arena().withRoom(other), 2, 3);
+      return edit("resize the room", arena().withRoom(other), 5, 3);
     }
 
     private RandomEdit blow() {
@@ -253,7 +252,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
       return edit("blow", arena().withWind(new Wind(mean, random.nextInt(3) * 0.1)), 3, 5);
     }
 
-    /** Somewhere on the raster of 5 cm. */
+    /** Returns a coordinate on a grid of 5 cm. */
     private Vec3 step() {
       int[] cm = IntStream.range(0, 2).map(i -> random.nextInt(-20, 21) * 5).toArray();
       return new Vec3(cm[0] / 100.0, cm[1] / 100.0, 0);

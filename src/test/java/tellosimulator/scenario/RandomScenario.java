@@ -3,6 +3,7 @@ package tellosimulator.scenario;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -16,13 +17,16 @@ import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Goal.Direction;
 import tellosimulator.goal.GoalRegion;
+import tellosimulator.goal.Infraction;
+import tellosimulator.goal.Scoring;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
-import tellosimulator.scenario.Scenario.Station;
+import tellosimulator.scenario.Scenario.CommandAddress;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Product;
@@ -40,7 +44,7 @@ import tellosimulator.world.Surface;
 import tellosimulator.world.Walls;
 import tellosimulator.world.Wind;
 
-/** Makes scenarios that are valid, with numbers of up to three decimals. */
+/** Generates valid scenarios, with numbers of up to three decimals. */
 final class RandomScenario {
 
   private static final List<String> NAMES =
@@ -87,7 +91,7 @@ final class RandomScenario {
             pads,
             wind());
     List<DroneSetup> drones = new ArrayList<>();
-    List<Station> stations = new ArrayList<>();
+    List<CommandAddress> stations = new ArrayList<>();
     for (int i = 1 + random.nextInt(4); i > 0; i--) {
       drones.add(drone(new Vec3(cm(1100, 1400), cm(i * 100, i * 100 + 50), 0)));
       stations.add(station(i));
@@ -144,10 +148,10 @@ final class RandomScenario {
         random.nextBoolean() ? OptionalInt.empty() : OptionalInt.of(random.nextInt(1 << 24)));
   }
 
-  private Station station(int number) {
+  private CommandAddress station(int number) {
     try {
       byte[] address = {10, 0, 0, (byte) number};
-      return new Station(
+      return new CommandAddress(
           random.nextBoolean() ? Optional.empty() : Optional.of(InetAddress.getByAddress(address)),
           random.nextBoolean() ? OptionalInt.empty() : OptionalInt.of(1 + random.nextInt(65535)));
     } catch (UnknownHostException e) {
@@ -179,35 +183,60 @@ final class RandomScenario {
     List<Goal> goals = new ArrayList<>();
     for (Obstacle obstacle : arena.obstacles()) {
       if (obstacle.shape() instanceof Shape.Gate) {
-        goals.add(new Goal.Pass(drone(drones), obstacle.name(), pick(List.of(Direction.values()))));
+        goals.add(new Goal.Pass(terms(drones), obstacle.name(), pick(List.of(Direction.values()))));
       }
     }
     for (MissionPad pad : arena.pads()) {
       if (pad.surface() == Surface.FLOOR) {
-        goals.add(new Goal.LandOn(drone(drones), pad.id()));
+        goals.add(
+            new Goal.See(
+                terms(drones), new Goal.NumberedPad(pad.id()), number(1, 60), number(1, 9)));
+        goals.add(new Goal.LandOn(terms(drones), pad.id()));
       }
     }
-    goals.add(new Goal.Reach(drone(drones), new GoalRegion(place().withZ(cm(0, 400)), cm(1, 100))));
+    goals.add(new Goal.Reach(terms(drones), new GoalRegion(place().withZ(cm(0, 400)), cm(1, 100))));
     goals.add(
         new Goal.Hover(
-            drone(drones), new GoalRegion(place().withZ(cm(0, 400)), cm(1, 100)), number(1, 100)));
-    goals.add(new Goal.Land(drone(drones), new GoalRegion(place(), cm(1, 100))));
+            terms(drones), new GoalRegion(place().withZ(cm(0, 400)), cm(1, 100)), number(1, 100)));
+    goals.add(new Goal.Land(terms(drones), new GoalRegion(place(), cm(1, 100))));
     return new Challenge(
         random.nextBoolean() ? goals : List.of(),
         random.nextBoolean(),
         random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(number(1, 1000)),
-        random.nextBoolean());
+        random.nextBoolean(),
+        random.nextBoolean() ? Optional.empty() : Optional.of(scoring()));
   }
 
-  private OptionalInt drone(int drones) {
-    return random.nextBoolean() ? OptionalInt.empty() : OptionalInt.of(1 + random.nextInt(drones));
+  private Scoring scoring() {
+    Map<Infraction, Double> penalties = new EnumMap<>(Infraction.class);
+    for (Infraction infraction : Infraction.values()) {
+      if (random.nextBoolean()) {
+        penalties.put(infraction, number(0, 100));
+      }
+    }
+    return new Scoring(
+        penalties,
+        random.nextBoolean()
+            ? Optional.empty()
+            : Optional.of(new Scoring.Par(number(1, 1000), number(0, 10))),
+        random.nextBoolean()
+            ? Optional.empty()
+            : Optional.of(new Scoring.Bonus(number(0, 100), number(0, 100), number(200, 300))),
+        random.nextBoolean()
+            ? Scoring.Limits.DEFAULT
+            : new Scoring.Limits(number(-100, 0), number(1, 100)));
+  }
+
+  private Terms terms(int drones) {
+    Terms terms = random.nextBoolean() ? Terms.ANY : Terms.of(1 + random.nextInt(drones));
+    return random.nextBoolean() ? terms : terms.worth(number(0, 100));
   }
 
   private Vec3 place() {
     return new Vec3(cm(-1000, 1000), cm(-1000, 1000), 0);
   }
 
-  /** A length as a file has it, in metres. */
+  /** Returns a length as in a file, in metres. */
   private double cm(double least, double most) {
     return number(least, most) / 100;
   }

@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** How a document gets into its file. */
+/** Tests saving a document to its file. */
 class SavedFileTest {
 
   private static final String TEXT = "# mine\nname: Room\n";

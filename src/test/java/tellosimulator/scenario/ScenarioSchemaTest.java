@@ -27,7 +27,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The schema, with which editors check scenario files, and the program say the same. */
+/** Checks that the JSON schema for editors and the program agree. */
 class ScenarioSchemaTest {
 
   private static final Path FILE = Path.of("docs/scenario.schema.json");
@@ -49,7 +49,7 @@ class ScenarioSchemaTest {
     return EXAMPLE.matcher(text(PAGE)).results().map(match -> match.group(1)).toList();
   }
 
-  /** Run with {@code -DwriteSchema=true} to write the file anew. */
+  /** Run with {@code -DwriteSchema=true} to rewrite the file. */
   @Test
   void theFileIsWhatTheCodecsSay() throws IOException {
     String said =

@@ -11,26 +11,31 @@ import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
+import tellosimulator.world.Decor;
+import tellosimulator.world.Walls;
 
-/** Whether there is something to be seen wherever a drone looks. */
+/** Checks that a drone's camera sees visual detail in every direction. */
 class DetailTest {
 
-  /** A coarse picture of the camera's form; what is finer than this does not count here. */
+  /** A coarse image with the camera's aspect ratio; finer detail does not count here. */
   private static final int WIDTH = 64;
 
   private static final int HEIGHT = 48;
 
-  /** Rays to a pixel, in a row and in a column. */
+  /** Rays per pixel along a row and along a column. */
   private static final int RAYS = 3;
 
-  /** From the camera to a picture of width 1: a field of view of 55 degrees. */
+  /** Focal length for an image of width 1: a field of view of 55 degrees. */
   private static final double FOCAL_LENGTH = 0.5 / Math.tan(Math.toRadians(55) / 2);
+
+  private static final SimConfig TEXTURED =
+      SimConfig.DEFAULT.withDecor(Decor.DEFAULT.withWalls(Walls.TEXTURED));
 
   private static final double TILT = Math.toRadians(15);
 
   @ParameterizedTest
   @CsvSource({
-    // height [m], heading [degrees], metres from the middle of the room to where one looks
+    // height [m], heading [degrees], distance from the middle of the room to the target [m]
     "0.02, 0, 0",
     "0.8, 90, 0",
     "1.5, 45, -2",
@@ -41,9 +46,7 @@ class DetailTest {
     "2.5, 270, 0"
   })
   void pictureHasContrastsNearAndFar(double height, double headingDeg, double ahead) {
-    SimSnapshot snapshot =
-        new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
-            .snapshot();
+    SimSnapshot snapshot = new Simulation(TEXTURED, drone -> datagram -> {}, List.of()).snapshot();
     RayTracer eye = new RayTracer(new SceneBuilder().scene(snapshot, 1));
     double heading = Math.toRadians(headingDeg);
     Vec3 place = new Vec3(ahead, 0, height).turned(heading);
@@ -67,7 +70,7 @@ class DetailTest {
     return luma;
   }
 
-  /** ITU-R BT.601, 16 to 235. */
+  /** Returns the luma (ITU-R BT.601), 16 to 235. */
   private static double luma(Rgb color) {
     return 16 + 219 * (0.299 * color.red() + 0.587 * color.green() + 0.114 * color.blue()) / 255;
   }

@@ -12,12 +12,12 @@ import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * What a test sees of a scene: it follows rays, slowly and plainly, by no method that the drawing
- * programs use. Only what is painted and what is on it.
+ * A slow and simple ray tracer for tests, independent of the methods of the renderers. It handles
+ * only opaque surfaces and the decals on them.
  */
 public final class RayTracer {
 
-  /** How near to each other surfaces are one [m]. */
+  /** Surfaces that are nearer to each other than this are coplanar [m]. */
   private static final double SAME = 1e-4;
 
   private record Triangle(Instance placed, List<Vec3> places, Vec3 a, Vec3 b, Vec3 c) {}
@@ -29,7 +29,7 @@ public final class RayTracer {
   public RayTracer(Scene scene) {
     for (Instance placed : scene.instances()) {
       Shading shading = placed.part().material().shading();
-      if (shading == Shading.UNLIT || shading == Shading.DECAL) {
+      if (shading == Shading.UNLIT || shading.coplanar()) {
         addTriangles(placed);
       }
     }
@@ -55,7 +55,7 @@ public final class RayTracer {
     return placed.pose().position().plus(attitude.toRoom(own));
   }
 
-  /** The colour that one sees from a place in a direction; black where nothing is. */
+  /** Returns the colour at the end of a ray; black if it hits nothing. */
   public Rgb look(Vec3 from, Vec3 direction) {
     List<Hit> hits = new ArrayList<>();
     double nearest = Double.POSITIVE_INFINITY;
@@ -81,7 +81,7 @@ public final class RayTracer {
     Vec3 normal = ab.cross(ac);
     double facing = -normal.dot(direction);
     if (facing <= 1e-12) {
-      return null; // seen from behind
+      return null; // a back face
     }
     Vec3 away = from.minus(triangle.a);
     double distance = away.dot(normal) / facing;
@@ -105,7 +105,7 @@ public final class RayTracer {
         part.material().shading() == Shading.DECAL);
   }
 
-  /** The places of a triangle's corners in the picture: u and v of each. */
+  /** Returns the texture coordinates of a triangle's corners: u and v of each. */
   private static List<Vec3> places(Mesh mesh, int triangle) {
     int[] corners = mesh.faceArray();
     float[] places = mesh.texCoordArray();

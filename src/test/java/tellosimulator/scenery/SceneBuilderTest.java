@@ -151,7 +151,7 @@ class SceneBuilderTest {
     // front left: half of 98 mm ahead, half of 92.5 mm to the left, 38.5 mm up
     assertThat(last.get(0).pose().position().distanceTo(new Vec3(0.049, 0.04625, 1.0385)))
         .isCloseTo(0, within(1e-9));
-    assertThat(instances.subList(0, instances.size() - 5)) // before them comes the lamp's glow
+    assertThat(instances.subList(0, instances.size() - 5)) // preceded by the lamp's glow
         .noneMatch(part -> part.part().material().shading() == Shading.TRANSLUCENT);
   }
 
@@ -172,6 +172,7 @@ class SceneBuilderTest {
         new SimSnapshot(
             before.time(),
             before.clock(),
+            before.seed(),
             before.arena().withRoom(new Room(9, 9, 3)),
             before.drones());
 
@@ -210,7 +211,7 @@ class SceneBuilderTest {
   private static SimSnapshot drones(int count) {
     SimConfig config =
         SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(count, Vec3.ZERO, Room.DEFAULT));
-    return new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
+    return new Simulation(config, drone -> datagram -> {}, List.of()).snapshot();
   }
 
   private static SimSnapshot flying(Pose pose) {
@@ -230,6 +231,7 @@ class SceneBuilderTest {
     return new SimSnapshot(
         one.time(),
         one.clock(),
+        one.seed(),
         one.arena(),
         List.of(new DroneSnapshot(now, drone.link(), drone.product(), drone.start())));
   }

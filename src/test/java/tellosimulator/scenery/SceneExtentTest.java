@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalRegion;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -40,7 +40,7 @@ class SceneExtentTest {
     MissionPad pad = new MissionPad(1, Surface.FRONT_WALL, 0, 1.5, 0);
     Arena arena = ROOM.withObstacles(List.of(box)).withPads(List.of(pad));
     Pose start = new Pose(new Vec3(-1, 0, 0), Attitude.LEVEL);
-    Goal reach = new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(0, 0, 2), 0.3));
+    Goal reach = new Goal.Reach(Terms.ANY, new GoalRegion(new Vec3(0, 0, 2), 0.3));
 
     List<Vec3> places = SceneExtent.things(arena, List.of(start), List.of(reach));
 
@@ -58,14 +58,14 @@ class SceneExtentTest {
     Obstacle gate =
         new Obstacle("gate", new Shape.Ring(0.4, 0.03, 1.2), new Vec3(0, 0, 0), 0, cover);
     Arena arena = ROOM.withObstacles(List.of(gate));
-    Goal pass = new Goal.Pass(OptionalInt.empty(), "gate", Goal.Direction.EITHER);
+    Goal pass = new Goal.Pass(Terms.ANY, "gate", Goal.Direction.EITHER);
 
     double plain =
         highest(
             SceneExtent.things(
                 arena,
                 List.of(),
-                List.of(new Goal.Pass(OptionalInt.empty(), "other", Goal.Direction.EITHER))));
+                List.of(new Goal.Pass(Terms.ANY, "other", Goal.Direction.EITHER))));
     double tagged = highest(SceneExtent.things(arena, List.of(), List.of(pass)));
 
     assertThat(tagged - plain).isCloseTo(0.3, within(1e-9));
@@ -76,7 +76,7 @@ class SceneExtentTest {
     ObstacleAppearance cover = new ObstacleAppearance(0xff0000, Pattern.PLAIN, Map.of());
     Obstacle box = new Obstacle("box", new Shape.Box(0.6, 0.6, 0.8), Vec3.ZERO, 0, cover);
     Arena arena = ROOM.withObstacles(List.of(box));
-    Goal land = new Goal.Land(OptionalInt.empty(), new GoalRegion(Vec3.ZERO, 0.2));
+    Goal land = new Goal.Land(Terms.ANY, new GoalRegion(Vec3.ZERO, 0.2));
 
     List<Vec3> places = SceneExtent.things(arena, List.of(), List.of(land));
 

@@ -34,7 +34,7 @@ class InstrumentsTest {
 
   private final DroneState still = SteppedDrone.of(Profile.EDU, Behavior.REPORT).state();
 
-  /** Forward speeds that are read at 1,000 moments [dm/s]. */
+  /** Returns the forward speeds read at 1,000 moments [dm/s]. */
   private double[] speeds(Behavior behavior, double metersPerSecond) {
     Instruments instruments =
         new Instruments(behavior, new SeededNoise(1, 1), NOTHING, UnaryOperator.identity());
@@ -52,8 +52,8 @@ class InstrumentsTest {
   }
 
   /**
-   * 2.5 dm/s with a noise of 0.4: one in ten is below 2 and one in ten at 3 or above, so that the
-   * mean of what is left of them is 2.0. Rounded, it would be 2.5.
+   * 2.5 dm/s with a noise of 0.4: one in ten is below 2 and one in ten is 3 or more, so that the
+   * mean of the truncated values is 2.0. Rounded, it would be 2.5.
    */
   @Test
   void speedsAreCutOffToWholeDecimetersAsMeasured() {

@@ -46,7 +46,10 @@ class DeterminismTest {
     assertThat(TraceProgram.trace("stepped", 8)).isNotEqualTo(expected("stepped"));
   }
 
-  /** As fast as possible, commands are taken later than by the clock; else all paces are alike. */
+  /**
+   * Returns the expected hash. At unlimited speed, commands are handled later than by the clock;
+   * all other paces are equal.
+   */
   private static String expected(String pace) throws Exception {
     String stepped = pace.equals("max") ? "stepped-max" : "stepped";
     return TraceProgram.trace(stepped, Long.parseLong(SEED));
@@ -63,7 +66,7 @@ class DeterminismTest {
     return output;
   }
 
-  /** A JDK 17 or newer of another feature version, in the folder in which this one lies. */
+  /** Finds a JDK 17 or newer of another feature version, in the same folder as the running one. */
   private static Optional<Path> otherJdk() throws IOException {
     Path home = Path.of(System.getProperty("java.home")).toRealPath();
     try (Stream<Path> neighbors = Files.list(home.getParent())) {
@@ -80,7 +83,7 @@ class DeterminismTest {
     return feature(home) >= 17;
   }
 
-  /** The feature version that a JDK's {@code release} file names; 0 without one. */
+  /** Returns the feature version in a JDK's {@code release} file; 0 without one. */
   private static int feature(Path home) {
     try {
       List<String> lines = Files.readAllLines(home.resolve("release"));

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
@@ -18,11 +19,12 @@ import tellosimulator.model.FlightPhase;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.SteppedDrone;
-import tellosimulator.time.Demand;
+import tellosimulator.testing.TextPort;
+import tellosimulator.time.PendingWork;
 import tellosimulator.time.SimTime;
 import tellosimulator.world.Room;
 
-/** Drones that run into each other. */
+/** Collisions between drones. */
 class DroneCollisionsTest {
 
   private static final double SIZE = 2 * DroneSpec.COLLIDER.radius();
@@ -57,7 +59,7 @@ class DroneCollisionsTest {
     assertThat(position(simulation, 1).x()).isLessThan(position(simulation, 2).x());
   }
 
-  /** At 3 m/s each they come 3 cm nearer with each step, and are 4 cm high. */
+  /** At 3 m/s each, they approach by 3 cm per step, and are 4 cm high. */
   @Test
   void oneThatStandsIsNotMoved() {
     Simulation simulation = facing(Behavior.REPORT, 1);
@@ -91,7 +93,7 @@ class DroneCollisionsTest {
         .anyMatch(line -> line.contains("into drone") || line.contains("touched drone"));
     advance(simulation, 3);
     assertThat(position(simulation, 2).z()).as("slipped off and fallen").isZero();
-    assertThat(simulation.demand()).isEqualTo(Demand.NONE);
+    assertThat(simulation.demand()).isEqualTo(PendingWork.NONE);
   }
 
   @Test
@@ -103,7 +105,7 @@ class DroneCollisionsTest {
     one(simulation, 2, "takeoff", "up 70", "right 100", "tof?");
     String reply = replies.get(replies.size() - 1);
 
-    // 1 m above the floor, and the other one is 41 mm high
+    // 1 m above the floor, and the other drone is 41 mm high
     assertThat(Integer.parseInt(reply.replace("mm", "").strip())).isCloseTo(959, within(10));
   }
 
@@ -128,8 +130,7 @@ class DroneCollisionsTest {
                 .withProduct(Profile.EDU, behavior)
                 .withLink(LinkPreset.IDEAL)
                 .withRoom(new Room(12, 12, 5), List.of(starts)),
-            drone -> (peer, text) -> replies.add(text),
-            report -> {},
+            drone -> TextPort.replies(replies::add),
             List.of(listener));
     for (int drone = 1; drone <= starts.length; drone++) {
       simulation.control(new Control.Power(drone, true));
@@ -138,7 +139,7 @@ class DroneCollisionsTest {
     return simulation;
   }
 
-  /** Commands of one drone, each with time to be carried out. */
+  /** Sends commands to one drone, each with time to be carried out. */
   private static void one(Simulation simulation, int drone, String... commands) {
     for (String command : commands) {
       submit(simulation, drone, command);
@@ -146,7 +147,7 @@ class DroneCollisionsTest {
     }
   }
 
-  /** Commands to both drones at the same time. */
+  /** Sends commands to both drones at the same time. */
   private static void all(Simulation simulation, String... commands) {
     for (String command : commands) {
       submit(simulation, 1, command);
@@ -157,7 +158,7 @@ class DroneCollisionsTest {
 
   private static void submit(Simulation simulation, int drone, String text) {
     InetSocketAddress client = SteppedDrone.CLIENT;
-    simulation.submit(drone, new Peer(client, SteppedDrone.DRONE), text);
+    simulation.submit(drone, new Peer(client, SteppedDrone.DRONE), WireText.encode(text));
   }
 
   private static void advance(Simulation simulation, double seconds) {

@@ -18,7 +18,7 @@ import tellosimulator.testing.SteppedDrone.Sent;
 import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
 
-/** What the faults of drones, sensors and state lines do to what is on the wire. */
+/** The effects of drone, sensor and state faults on the wire. */
 class DroneFaultsTest {
 
   @ParameterizedTest
@@ -57,7 +57,7 @@ class DroneFaultsTest {
     assertThat(drone.ask("land")).isEqualTo("ok");
   }
 
-  /** Straight for two seconds at least, so that it is gone for 20 cm. */
+  /** It drifts in one direction for at least two seconds, and so by more than 20 cm. */
   @Test
   void withoutAValidImuItDrifts() {
     SteppedDrone drone = flying("no-valid-imu 20cm/s");

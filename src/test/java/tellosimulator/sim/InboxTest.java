@@ -5,6 +5,7 @@ import static tellosimulator.testing.SteppedDrone.address;
 
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.sim.SimInput.Datagram;
 
 class InboxTest {
@@ -13,13 +14,16 @@ class InboxTest {
 
   @Test
   void whatComesFirstLeavesFirst() {
-    inbox.offer(from(1, "a"), true);
-    inbox.offer(from(2, "b"), false);
-    inbox.offer(from(1, "c"), true);
+    Datagram first = from(1, "a");
+    Datagram second = from(2, "b");
+    Datagram third = from(1, "c");
+    inbox.offer(first, true);
+    inbox.offer(second, false);
+    inbox.offer(third, true);
 
-    assertThat(inbox.poll()).isEqualTo(from(1, "a"));
-    assertThat(inbox.poll()).isEqualTo(from(2, "b"));
-    assertThat(inbox.poll()).isEqualTo(from(1, "c"));
+    assertThat(inbox.poll()).isSameAs(first);
+    assertThat(inbox.poll()).isSameAs(second);
+    assertThat(inbox.poll()).isSameAs(third);
     assertThat(inbox.poll()).isNull();
     assertThat(inbox.isEmpty()).isTrue();
   }
@@ -66,6 +70,7 @@ class InboxTest {
   }
 
   private static Datagram from(int port, String text) {
-    return new Datagram(1, new Peer(address("127.0.0.1", port), address("127.0.0.1", 8879)), text);
+    Peer peer = new Peer(address("127.0.0.1", port), address("127.0.0.1", 8879));
+    return new Datagram(1, peer, WireText.encode(text));
   }
 }

@@ -15,13 +15,13 @@ import tellosimulator.testing.SteppedDrone;
 import tellosimulator.testing.SteppedDrone.Sent;
 
 /**
- * Behaviour measured has the link of a real drone: TelloPy 0.7.0, docs/sensor_time.md, measured in
- * September 2026 with one drone.
+ * Behaviour {@code measured} has the link of a real drone: TelloPy 0.7.0, docs/sensor_time.md,
+ * measured in September 2026 with one drone.
  */
 @Tag("slow")
 class LabLinkTest {
 
-  /** Gets state lines however long it is silent. */
+  /** An operator that receives state lines no matter how long it is silent. */
   private static final InetSocketAddress NEIGHBOR = SteppedDrone.address("127.0.0.1", 9000);
 
   private static final int QUERIES = 10_000;

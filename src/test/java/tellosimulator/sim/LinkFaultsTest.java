@@ -10,18 +10,19 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.OperatorRule;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.testing.SteppedDrone.Sent;
-import tellosimulator.time.Demand;
+import tellosimulator.time.PendingWork;
 import tellosimulator.time.TimeFactor;
 
-/** What the faults of the link do to what is on the wire. */
+/** The effects of link faults on the wire. */
 class LinkFaultsTest {
 
-  /** Gets state lines however long it is silent. */
+  /** An operator that receives state lines no matter how long it is silent. */
   private static final InetSocketAddress NEIGHBOR = SteppedDrone.address("127.0.0.1", 9000);
 
   @Test
@@ -160,7 +161,10 @@ class LinkFaultsTest {
     }
   }
 
-  /** A state line of 160 bytes and 42 of headers at 8.08 kbit/s takes 0.2 s, twice its period. */
+  /**
+   * A state line of about 160 bytes with 42 bytes of headers takes 0.2 s at 8.08 kbit/s, twice its
+   * period.
+   */
   @Test
   void aSlowLinkLetsHalfOfTheStateLinesThrough() {
     SteppedDrone drone = with("bandwidth state 8.08");
@@ -277,7 +281,7 @@ class LinkFaultsTest {
   void aRestartBeginsWithTheRandomNumbersAnew() {
     SteppedDrone drone = with("loss replies 50%");
     List<String> first = tenAnswers(drone);
-    drone.control(new Control.Restart(config("loss replies 50%")));
+    drone.control(new Control.NewRun(config("loss replies 50%")));
     drone.control(new Control.Power(1, true));
 
     assertThat(tenAnswers(drone)).isEqualTo(first);
@@ -298,16 +302,15 @@ class LinkFaultsTest {
     Simulation simulation =
         new Simulation(
             config("delay commands 100ms", "delay replies 200ms").withTimeFactor(TimeFactor.MAX),
-            drone -> (peer, text) -> {},
-            report -> {},
+            drone -> datagram -> {},
             List.of());
     simulation.control(new Control.Power(1, true));
-    simulation.submit(1, new Peer(NEIGHBOR, SteppedDrone.DRONE), "battery?");
-    simulation.submit(1, new Peer(NEIGHBOR, SteppedDrone.DRONE), "command");
+    simulation.submit(1, new Peer(NEIGHBOR, SteppedDrone.DRONE), WireText.encode("battery?"));
+    simulation.submit(1, new Peer(NEIGHBOR, SteppedDrone.DRONE), WireText.encode("command"));
     simulation.drain();
-    assertThat(simulation.demand()).isEqualTo(Demand.DEBT);
+    assertThat(simulation.demand()).isEqualTo(PendingWork.REPLY);
     assertThat(simulation.pending()).as("the second one waits for its turn").isTrue();
-    while (simulation.demand() == Demand.DEBT || simulation.pending()) {
+    while (simulation.demand() == PendingWork.REPLY || simulation.pending()) {
       simulation.step();
     }
 
@@ -329,7 +332,7 @@ class LinkFaultsTest {
     return drone.events().stream().map(SimEvent::words).toList();
   }
 
-  /** How many lines are missing wherever some are. */
+  /** Returns the number of missing lines in each gap. */
   private static List<Integer> gaps(List<Sent> lines) {
     List<Integer> missing = new ArrayList<>();
     IntStream.range(1, lines.size())

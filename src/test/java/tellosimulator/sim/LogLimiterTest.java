@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
+import tellosimulator.command.Request;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
@@ -33,10 +34,11 @@ class LogLimiterTest {
   @Test
   void everythingThatIsACommandIsTold() {
     for (int i = 0; i < 1000; i++) {
-      limiter.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, OPERATOR, "forward 50"));
+      limiter.event(
+          new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(i, OPERATOR, "forward 50")));
       limiter.event(
           new SimEvent.CommandRefused(
-              SimTime.ZERO, 1, OPERATOR, "forward 50", Reply.MOTOR_STOP, REASON));
+              SimTime.ZERO, 1, new Request(i, OPERATOR, "forward 50"), Reply.MOTOR_STOP, REASON));
     }
 
     assertThat(told).hasSize(2000);
@@ -115,7 +117,8 @@ class LogLimiterTest {
   void ofUnknownTextsAFewAreToldAndTheRestInSums() {
     int sent = 100_000;
     for (int i = 0; i < sent; i++) {
-      limiter.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, OPERATOR, "garbage " + i));
+      limiter.event(
+          new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(i, OPERATOR, "garbage " + i)));
     }
     assertThat(told).hasSize(40);
 
@@ -127,8 +130,7 @@ class LogLimiterTest {
   }
 
   private static SimSnapshot anything() {
-    return new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
-        .snapshot();
+    return new Simulation(SimConfig.DEFAULT, drone -> datagram -> {}, List.of()).snapshot();
   }
 
   private static Peer peer(String host) {

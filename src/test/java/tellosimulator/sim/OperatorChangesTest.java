@@ -10,8 +10,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 
-/** Whoever loses a drone, and however, reads who has it now. */
+/** The events about changes of operator, which name the new operator in each case. */
 class OperatorChangesTest {
 
   private static final Peer FIRST = peer("192.168.1.7");
@@ -21,8 +22,7 @@ class OperatorChangesTest {
   private final Simulation simulation =
       new Simulation(
           SimConfig.DEFAULT,
-          drone -> (peer, text) -> {},
-          report -> {},
+          drone -> datagram -> {},
           List.of(
               new SimListener() {
                 @Override
@@ -110,7 +110,7 @@ class OperatorChangesTest {
     simulation.drain();
 
     assertThat(words())
-        .endsWith("is free: who sends `command` next operates it; 192.168.1.7 has lost it");
+        .endsWith("is free: whoever sends `command` next operates it; 192.168.1.7 has lost it");
   }
 
   private static boolean lost(String words) {
@@ -122,7 +122,7 @@ class OperatorChangesTest {
   }
 
   private void send(Peer peer, String text) {
-    simulation.submit(1, peer, text);
+    simulation.submit(1, peer, WireText.encode(text));
     simulation.step();
   }
 

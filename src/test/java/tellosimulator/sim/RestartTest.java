@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.profile.Behavior;
@@ -26,8 +27,7 @@ class RestartTest {
   private final Simulation simulation =
       new Simulation(
           CONFIG,
-          drone -> (peer, text) -> sent.add(text),
-          report -> sent.add(report.sensors().toString()),
+          drone -> datagram -> sent.add(datagram.text()),
           List.of(
               new SimListener() {
                 @Override
@@ -44,14 +44,14 @@ class RestartTest {
     assertThat(first).contains("ok").hasSizeGreaterThan(50);
     sent.clear();
 
-    simulation.control(new Control.Restart(CONFIG));
+    simulation.control(new Control.NewRun(CONFIG));
     simulation.drain();
 
     SimSnapshot anew = simulation.snapshot();
     assertThat(anew.time()).isEqualTo(SimTime.ZERO);
     assertThat(anew.drones().get(0).state().phase()).isEqualTo(FlightPhase.OFF);
     assertThat(anew.drones().get(0).link().operator()).isEmpty();
-    assertThat(events).last().isInstanceOf(SimEvent.Restarted.class);
+    assertThat(events).last().isInstanceOf(SimEvent.RunStarted.class);
     assertThat(sent).isEmpty();
     fly();
     assertThat(sent).isEqualTo(first);
@@ -63,7 +63,7 @@ class RestartTest {
     SimConfig two = CONFIG.withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT));
 
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> simulation.control(new Control.Restart(two)))
+        .isThrownBy(() -> simulation.control(new Control.NewRun(two)))
         .withMessage("config has 2 drones, but must have 1");
   }
 
@@ -71,8 +71,8 @@ class RestartTest {
   void whoWaitsForRestIsToldOnceEverythingIsDone() {
     List<Double> told = new ArrayList<>();
     simulation.control(new Control.Power(1, true));
-    simulation.submit(1, OPERATOR, "command");
-    simulation.submit(1, OPERATOR, "takeoff");
+    simulation.submit(1, OPERATOR, WireText.encode("command"));
+    simulation.submit(1, OPERATOR, WireText.encode("takeoff"));
     simulation.onceStill(() -> told.add(simulation.snapshot().time().seconds()));
 
     for (int i = 0; i < 4000; i++) {
@@ -85,7 +85,7 @@ class RestartTest {
   private void fly() {
     simulation.control(new Control.Power(1, true));
     for (String command : List.of("command", "takeoff", "tof?")) {
-      simulation.submit(1, OPERATOR, command);
+      simulation.submit(1, OPERATOR, WireText.encode(command));
       for (int i = 0; i < 1600; i++) {
         simulation.step();
       }

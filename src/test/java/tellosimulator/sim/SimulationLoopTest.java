@@ -17,16 +17,16 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Exceptions;
 import tellosimulator.concurrent.Uncaught;
 import tellosimulator.testing.CapturedLog;
+import tellosimulator.testing.TextPort;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
 
-/**
- * The thread that owns a simulation. Whatever a test waits for comes, or it fails after a while.
- */
+/** The thread of a simulation. Each wait of a test fails after a timeout. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class SimulationLoopTest {
 
@@ -48,7 +48,7 @@ class SimulationLoopTest {
     assertThat(simulation.snapshot().time().seconds()).isGreaterThan(6);
   }
 
-  /** At a factor that no machine can follow. */
+  /** Runs at a factor that no machine can keep up with. */
   @Test
   void timeThatIsLostBeforeTheFirstCommandIsNoLoss() throws InterruptedException {
     CountDownLatch begun = new CountDownLatch(20_000);
@@ -68,8 +68,7 @@ class SimulationLoopTest {
     Simulation simulation =
         new Simulation(
             SimConfig.DEFAULT.withTimeFactor(new TimeFactor(TimeFactor.LARGEST)),
-            drone -> (peer, text) -> replies.add(text),
-            report -> {},
+            drone -> TextPort.replies(replies::add),
             List.of(listener));
     simulation.control(new Control.Power(1, true));
     try (SimulationLoop loop = new SimulationLoop(simulation)) {
@@ -89,7 +88,7 @@ class SimulationLoopTest {
     try (SimulationLoop loop = new SimulationLoop(simulation)) {
       assertThat(loop).isNotNull();
       assertThat(ask(simulation, "command")).isEqualTo("ok");
-      simulation.submit(1, PEER, "takeoff");
+      simulation.submit(1, PEER, WireText.encode("takeoff"));
       assertThat(ask(simulation, "battery?")).isEqualTo("error Not joystick");
       assertThat(simulation.snapshot().time()).isEqualTo(SimTime.ZERO);
 
@@ -106,7 +105,7 @@ class SimulationLoopTest {
     simulation.control(new Control.Pause(true));
     for (int i = 0; i < burst; i++) {
       Peer one = new Peer(address("127.0.0.1", 20_000 + i % 100), PEER.via());
-      assertThat(simulation.submit(1, one, "command")).isTrue();
+      assertThat(simulation.submit(1, one, WireText.encode("command"))).isTrue();
     }
 
     try (SimulationLoop loop = new SimulationLoop(simulation)) {
@@ -124,11 +123,12 @@ class SimulationLoopTest {
         new Simulation(
             SimConfig.DEFAULT.withTimeFactor(TimeFactor.MAX),
             drone ->
-                (peer, text) -> {
-                  replies.add(text);
-                  failOnce(broken, "replies");
-                },
-            report -> failOnce(broken, "states"),
+                TextPort.of(
+                    text -> {
+                      replies.add(text);
+                      failOnce(broken, "replies");
+                    },
+                    line -> failOnce(broken, "states")),
             List.of());
     simulation.control(new Control.Power(1, true));
 
@@ -173,12 +173,11 @@ class SimulationLoopTest {
   /** A program that waits for the state after {@code mon} must not wait for ever. */
   @Test
   void asFastAsPossibleAStateLineFollowsEachCommand() throws InterruptedException {
-    BlockingQueue<StatePort.StateReport> lines = new LinkedBlockingQueue<>();
+    BlockingQueue<String> lines = new LinkedBlockingQueue<>();
     Simulation simulation =
         new Simulation(
             SimConfig.DEFAULT.withTimeFactor(TimeFactor.MAX),
-            drone -> (peer, text) -> replies.add(text),
-            lines::add,
+            drone -> TextPort.of(replies::add, lines::add),
             List.of());
     simulation.control(new Control.Power(1, true));
     try (SimulationLoop loop = new SimulationLoop(simulation)) {
@@ -187,8 +186,8 @@ class SimulationLoopTest {
       assertThat(lines.poll(20, TimeUnit.SECONDS)).isNotNull();
       assertThat(ask(simulation, "mon")).isEqualTo("ok");
 
-      StatePort.StateReport line = lines.poll(20, TimeUnit.SECONDS);
-      while (line != null && line.pad().id() == -2) {
+      String line = lines.poll(20, TimeUnit.SECONDS);
+      while (line != null && line.startsWith("mid:-2;")) {
         line = lines.poll(20, TimeUnit.SECONDS);
       }
       assertThat(line).as("a state line with detection on").isNotNull();
@@ -202,7 +201,7 @@ class SimulationLoopTest {
 
     loop.close();
     SimTime end = simulation.snapshot().time();
-    simulation.submit(1, PEER, "command");
+    simulation.submit(1, PEER, WireText.encode("command"));
     loop.close();
 
     assertThat(simulation.snapshot().time()).isEqualTo(end);
@@ -218,11 +217,12 @@ class SimulationLoopTest {
         new Simulation(
             SimConfig.DEFAULT.withTimeFactor(TimeFactor.MAX),
             drone ->
-                (peer, text) -> {
-                  replies.add(text);
-                  throwOnce(replyFailure);
-                },
-            report -> throwOnce(stateFailure),
+                TextPort.of(
+                    text -> {
+                      replies.add(text);
+                      throwOnce(replyFailure);
+                    },
+                    line -> throwOnce(stateFailure)),
             List.of());
     simulation.control(new Control.Power(1, true));
 
@@ -259,8 +259,7 @@ class SimulationLoopTest {
           }
         };
     Simulation simulation =
-        new Simulation(
-            SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of(listener));
+        new Simulation(SimConfig.DEFAULT, drone -> datagram -> {}, List.of(listener));
     try (Uncaught uncaught = new Uncaught();
         CapturedLog log = CapturedLog.of(ErrorPolicy.class);
         SimulationLoop loop = new SimulationLoop(simulation)) {
@@ -290,7 +289,7 @@ class SimulationLoopTest {
   }
 
   private String ask(Simulation simulation, String text) throws InterruptedException {
-    simulation.submit(1, PEER, text);
+    simulation.submit(1, PEER, WireText.encode(text));
     return reply();
   }
 
@@ -304,8 +303,7 @@ class SimulationLoopTest {
     Simulation simulation =
         new Simulation(
             SimConfig.DEFAULT.withTimeFactor(factor),
-            drone -> (peer, text) -> replies.add(text),
-            report -> {},
+            drone -> TextPort.replies(replies::add),
             List.of());
     simulation.control(new Control.Power(1, true));
     return simulation;

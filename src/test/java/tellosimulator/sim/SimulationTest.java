@@ -11,13 +11,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.fault.Fault;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.testing.CapturedLog;
-import tellosimulator.time.Demand;
+import tellosimulator.testing.TextPort;
+import tellosimulator.time.PendingWork;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Arena;
@@ -31,7 +33,7 @@ import tellosimulator.world.Wind;
 
 class SimulationTest {
 
-  /** What those may fill who operate no drone. */
+  /** Capacity of the inbox for hosts that operate no drone. */
   private static final int INBOX = 3072;
 
   private static final int AT_ONCE = 256;
@@ -39,7 +41,7 @@ class SimulationTest {
       new Peer(address("192.168.10.2", 9000), address("192.168.10.1", 8889));
 
   private final List<String> replies = new ArrayList<>();
-  private final List<StatePort.StateReport> states = new ArrayList<>();
+  private final List<String> states = new ArrayList<>();
   private final List<SimEvent> events = new ArrayList<>();
   private final List<SimTime> steps = new ArrayList<>();
   private final SimListener recorder =
@@ -63,7 +65,7 @@ class SimulationTest {
     simulation.step();
     assertThat(simulation.untouched()).isTrue();
 
-    simulation.submit(1, PEER, "battery?");
+    simulation.submit(1, PEER, WireText.encode("battery?"));
     simulation.step();
     assertThat(simulation.untouched()).isFalse();
   }
@@ -81,12 +83,11 @@ class SimulationTest {
   void aFloodOfQueriesWhileTimeStandsStillFillsNoMemory() {
     SimConfig config = SimConfig.DEFAULT.withFaults(List.of(Fault.of("delay replies 40ms")));
     Simulation late =
-        new Simulation(
-            config, drone -> (peer, text) -> replies.add(text), report -> {}, List.of(recorder));
+        new Simulation(config, drone -> TextPort.replies(replies::add), List.of(recorder));
     late.control(new Control.Power(1, true));
     int asked = 80 * AT_ONCE;
     for (int i = 0; i < asked; i++) {
-      assertThat(late.submit(1, PEER, i == 0 ? "command" : "battery?")).isTrue();
+      assertThat(late.submit(1, PEER, WireText.encode(i == 0 ? "command" : "battery?"))).isTrue();
       if (i % AT_ONCE == AT_ONCE - 1) {
         late.drain();
       }
@@ -108,14 +109,14 @@ class SimulationTest {
         .isBetween(1L, (long) asked - mostForPeer);
   }
 
-  /** Else a program that is still being served would see what a person did later. */
+  /** Otherwise a program that is still being served would see the effect of a later control. */
   @Test
   void aControlIsTakenAfterTheCommandsBeforeItAndBeforeThoseAfterIt() {
     simulation.control(new Control.Power(1, true));
-    simulation.submit(1, PEER, "command");
-    simulation.submit(1, PEER, "battery?");
+    simulation.submit(1, PEER, WireText.encode("command"));
+    simulation.submit(1, PEER, WireText.encode("battery?"));
     simulation.control(new Control.SetBattery(1, 50));
-    simulation.submit(1, PEER, "battery?");
+    simulation.submit(1, PEER, WireText.encode("battery?"));
     simulation.drain();
 
     assertThat(replies).containsExactly("ok", "100\r\n", "50\r\n");
@@ -125,7 +126,8 @@ class SimulationTest {
   void aControlWaitsForAllCommandsBeforeItHoweverManyThereAre() {
     List<Integer> shown = new ArrayList<>();
     for (int i = 0; i <= AT_ONCE; i++) {
-      simulation.submit(1, new Peer(address("192.168.10.2", 9000 + i), PEER.via()), "battery?");
+      simulation.submit(
+          1, new Peer(address("192.168.10.2", 9000 + i), PEER.via()), WireText.encode("battery?"));
     }
     simulation.control(new Control.SetBattery(1, 50), () -> shown.add(percent()));
 
@@ -140,7 +142,7 @@ class SimulationTest {
     return simulation.snapshot().drones().get(0).state().energy().battery().percent();
   }
 
-  /** Who sets the wind may not know yet what else was changed. */
+  /** The sender of a wind control may not know yet that something else was changed. */
   @Test
   void anotherWindLeavesEverythingElseAsItIs() {
     Room other = new Room(7, 7, 3);
@@ -154,7 +156,7 @@ class SimulationTest {
     assertThat(simulation.snapshot().arena().wind()).isEqualTo(wind);
   }
 
-  /** The plan may not know yet that the wind has turned. */
+  /** The plan may not know yet that the wind has changed. */
   @Test
   void otherObstaclesLeaveWindAndRoomAsTheyAre() {
     Room other = new Room(7, 7, 3);
@@ -201,8 +203,8 @@ class SimulationTest {
 
     try (CapturedLog log = CapturedLog.of(Simulation.class)) {
       tested.control(new Control.Power(1, true));
-      tested.submit(1, PEER, "command");
-      tested.submit(1, PEER, "battery?");
+      tested.submit(1, PEER, WireText.encode("command"));
+      tested.submit(1, PEER, WireText.encode("battery?"));
       tested.step();
 
       do {
@@ -225,7 +227,7 @@ class SimulationTest {
         new SimListener() {
           @Override
           public void stepped(SimSnapshot snapshot) {
-            self.get(0).submit(1, PEER, "command");
+            self.get(0).submit(1, PEER, WireText.encode("command"));
           }
         };
     Simulation tested = simulation(operator);
@@ -250,7 +252,7 @@ class SimulationTest {
         .isThrownBy(() -> simulation.control(new Control.Power(drone, true)))
         .withMessage(message);
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> simulation.submit(drone, PEER, "command"))
+        .isThrownBy(() -> simulation.submit(drone, PEER, WireText.encode("command")))
         .withMessage(message);
 
     simulation.step();
@@ -265,7 +267,7 @@ class SimulationTest {
         .withMessage("battery is " + percent + " %, but must be from 0 to 100");
   }
 
-  /** One of many programs on the same host. */
+  /** Returns one of many programs on the same host. */
   private static Peer sender(int number) {
     return new Peer(address("127.0.0.1", 20_000 + number % 100), PEER.via());
   }
@@ -274,21 +276,21 @@ class SimulationTest {
   void aFullInboxLosesWhatComesOnTop() {
     simulation.control(new Control.Power(1, true));
     for (int i = 0; i < INBOX; i++) {
-      assertThat(simulation.submit(1, sender(i), "command")).isTrue();
+      assertThat(simulation.submit(1, sender(i), WireText.encode("command"))).isTrue();
     }
 
-    assertThat(simulation.submit(1, PEER, "command")).isFalse();
-    assertThat(simulation.submit(2, PEER, "command")).isFalse();
+    assertThat(simulation.submit(1, PEER, WireText.encode("command"))).isFalse();
+    assertThat(simulation.submit(2, PEER, WireText.encode("command"))).isFalse();
 
     simulation.drain();
-    assertThat(simulation.submit(1, PEER, "command")).isTrue();
+    assertThat(simulation.submit(1, PEER, WireText.encode("command"))).isTrue();
   }
 
   @Test
   void aFloodIsTakenInPartsSoThatTimeGoesOn() {
     simulation.control(new Control.Power(1, true));
     for (int i = 0; i < INBOX; i++) {
-      simulation.submit(1, sender(i), "command");
+      simulation.submit(1, sender(i), WireText.encode("command"));
     }
 
     simulation.step();
@@ -303,7 +305,7 @@ class SimulationTest {
 
   @Test
   void aDroneThatIsOffAnswersNothingAndTheEventSaysWhy() {
-    simulation.submit(1, PEER, "command");
+    simulation.submit(1, PEER, WireText.encode("command"));
     simulation.step();
 
     assertThat(replies).isEmpty();
@@ -333,13 +335,13 @@ class SimulationTest {
     operatedFromElsewhere();
     simulation.unreachable(1, address("192.168.1.7", 8890));
     int before = states.size();
-    for (int i = 0; i < 200; i++) { // a second; after two it is tried again
+    for (int i = 0; i < 200; i++) { // one second; the next try is after two
       simulation.step();
     }
     assertThat(states).hasSize(before);
     assertThat(simulation.snapshot().drones().get(0).link().sdkMode()).isTrue();
 
-    simulation.submit(1, REMOTE, "battery?");
+    simulation.submit(1, REMOTE, WireText.encode("battery?"));
     for (int i = 0; i < 200; i++) {
       simulation.step();
     }
@@ -351,7 +353,7 @@ class SimulationTest {
 
   private void operatedFromElsewhere() {
     simulation.control(new Control.Power(1, true));
-    simulation.submit(1, REMOTE, "command");
+    simulation.submit(1, REMOTE, WireText.encode("command"));
     simulation.step();
   }
 
@@ -435,8 +437,8 @@ class SimulationTest {
     simulation.control(new Control.SetTimeFactor(TimeFactor.MAX));
     for (int drone = 1; drone <= 2; drone++) {
       simulation.control(new Control.Power(drone, true));
-      simulation.submit(drone, PEER, "command");
-      simulation.submit(drone, PEER, "takeoff");
+      simulation.submit(drone, PEER, WireText.encode("command"));
+      simulation.submit(drone, PEER, WireText.encode("takeoff"));
     }
     for (int i = 0; i < 4500; i++) {
       simulation.step();
@@ -454,12 +456,11 @@ class SimulationTest {
     Simulation patient =
         new Simulation(
             config.withDrones(List.of(config.drones().get(0).withoutSafetyLanding())),
-            drone -> (peer, text) -> replies.add(text),
-            report -> {},
+            drone -> TextPort.replies(replies::add),
             List.of());
     patient.control(new Control.Power(1, true));
-    patient.submit(1, PEER, "command");
-    patient.submit(1, PEER, "takeoff");
+    patient.submit(1, PEER, WireText.encode("command"));
+    patient.submit(1, PEER, WireText.encode("takeoff"));
     for (int i = 0; i < 12_000; i++) {
       patient.step();
     }
@@ -473,7 +474,7 @@ class SimulationTest {
     simulation.control(new Control.PassTime(15));
     simulation.drain();
     int steps = 0;
-    while (simulation.demand() == Demand.DEBT && steps < 10_000) {
+    while (simulation.demand() == PendingWork.REPLY && steps < 10_000) {
       simulation.step();
       steps++;
     }
@@ -483,13 +484,13 @@ class SimulationTest {
 
   @Test
   void timeNeedNotPassBeforeSomebodyFlies() {
-    assertThat(simulation.demand()).isEqualTo(Demand.NONE);
+    assertThat(simulation.demand()).isEqualTo(PendingWork.NONE);
     simulation.control(new Control.Power(1, true));
-    simulation.submit(1, PEER, "command");
-    simulation.submit(1, PEER, "takeoff");
+    simulation.submit(1, PEER, WireText.encode("command"));
+    simulation.submit(1, PEER, WireText.encode("takeoff"));
     simulation.drain();
 
-    assertThat(simulation.demand()).isEqualTo(Demand.DEBT);
+    assertThat(simulation.demand()).isEqualTo(PendingWork.REPLY);
   }
 
   private DroneState state(int drone) {
@@ -500,6 +501,6 @@ class SimulationTest {
     SimConfig config =
         SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT));
     return new Simulation(
-        config, drone -> (peer, text) -> replies.add(text), states::add, List.of(listeners));
+        config, drone -> TextPort.of(replies::add, states::add), List.of(listeners));
   }
 }

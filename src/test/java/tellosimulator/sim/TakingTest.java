@@ -11,13 +11,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
-import tellosimulator.time.Demand;
+import tellosimulator.testing.TextPort;
+import tellosimulator.time.PendingWork;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Arena;
@@ -25,31 +27,31 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Wind;
 
 /**
- * At which simulated moment a datagram is taken, as fast as possible: at one that depends on the
- * datagrams before it alone.
+ * The simulated moment at which a datagram is handled at unlimited speed, which depends on the
+ * earlier datagrams alone.
  */
 class TakingTest {
 
   private static final Peer PEER =
       new Peer(address("192.168.10.2", 9000), address("192.168.10.1", 8889));
 
-  /** Steps that no wait is longer than: a minute. */
+  /** Number of steps that exceeds every wait: one minute. */
   private static final int MANY = 12_000;
 
   private final List<String> replies = new ArrayList<>();
   private Simulation simulation = simulation(config(Vec3.ZERO, new Vec3(0, 1, 0)));
 
-  /** The state lines are due at 0, 0.1, 0.2 s and so on, each sent at the end of a step. */
+  /** State lines are due at 0, 0.1, 0.2 s and so on, each sent at the end of a step. */
   @ParameterizedTest
   @CsvSource({"battery?", "speed 30", "mon", "foo", "rc 0 0 0 0", "land", "stop"})
   void theNextOneIsTakenAfterTheStateLine(String first) {
     ask(1, "command");
-    ask(1, "battery?"); // after the line at 0 s, which ends the first step
+    ask(1, "battery?"); // after the line at 0 s, at the end of the first step
     assertThat(seconds()).isCloseTo(0.005, within(1e-9));
 
     submit(1, first);
     submit(1, "time?");
-    runWhile(Demand.DEBT);
+    runWhile(PendingWork.REPLY);
   }
 
   @Test
@@ -58,7 +60,7 @@ class TakingTest {
     fly(1, "stop");
 
     submit(1, "battery?");
-    runWhile(Demand.DEBT);
+    runWhile(PendingWork.REPLY);
 
     assertThat(replies.subList(2, 5)).containsExactly("ok", "forced stop", "100");
   }
@@ -72,7 +74,7 @@ class TakingTest {
     assertThat(ask(1, "height?")).isEqualTo("0dm");
   }
 
-  /** A drone restarts 3 s after the answer, and is silent for 8 s. */
+  /** A drone restarts 3 s after the reply, and is silent for 8 s. */
   @Test
   void whatComesDuringARestartIsTakenAfterIt() {
     simulation =
@@ -91,7 +93,7 @@ class TakingTest {
   void whileSomebodyWaitsForAnAnswerOthersAreTakenAtOnce() {
     fly(1, "command", "takeoff");
     fly(2, "command");
-    runWhile(Demand.DEBT);
+    runWhile(PendingWork.REPLY);
     submit(1, "forward 100");
     simulation.drain();
     double begun = seconds();
@@ -109,9 +111,9 @@ class TakingTest {
   void aDroneThatIsSteeredKeepsNobodyWaiting() {
     fly(1, "command", "takeoff");
     submit(1, "rc 0 20 0 0");
-    runWhile(Demand.DEBT);
+    runWhile(PendingWork.REPLY);
     double moved = seconds();
-    assertThat(simulation.demand()).isEqualTo(Demand.MOTION);
+    assertThat(simulation.demand()).isEqualTo(PendingWork.MOTION);
 
     submit(1, "height?");
     simulation.drain();
@@ -124,17 +126,17 @@ class TakingTest {
   void centeredSticksComeToRest() {
     fly(1, "command", "takeoff");
     submit(1, "rc 30 30 30 30");
-    runWhile(Demand.DEBT);
+    runWhile(PendingWork.REPLY);
     submit(1, "rc 0 0 0 0");
     simulation.drain();
     double centered = seconds();
-    runWhile(Demand.DEBT);
+    runWhile(PendingWork.REPLY);
 
-    assertThat(simulation.demand()).isEqualTo(Demand.NONE);
+    assertThat(simulation.demand()).isEqualTo(PendingWork.NONE);
     assertThat(seconds() - centered).isLessThan(8);
   }
 
-  /** In gusts no drone stands still, and so `stop` gets no second answer. */
+  /** In gusts no drone stands still, so `stop` gets no second reply. */
   @Test
   void whatNeverEndsIsWaitedForForTwentySeconds() {
     SimConfig calm = config(Vec3.ZERO);
@@ -144,9 +146,9 @@ class TakingTest {
     simulation = simulation(calm.withArena(stormy).withDrones(List.of(patient)));
     fly(1, "command", "takeoff", "stop");
     double last = seconds();
-    runWhile(Demand.DEBT);
+    runWhile(PendingWork.REPLY);
     assertThat(seconds() - last).isCloseTo(20, within(0.01));
-    assertThat(simulation.demand()).isEqualTo(Demand.MOTION);
+    assertThat(simulation.demand()).isEqualTo(PendingWork.MOTION);
 
     submit(1, "sdk?");
     simulation.drain();
@@ -166,7 +168,7 @@ class TakingTest {
     assertThat(replies).containsExactly("ok", "100", "0s");
   }
 
-  /** `mon` owes a state line; what came after it waits, the control too. */
+  /** After `mon` a state line is pending; later inputs wait for it, even controls. */
   @Test
   void asFastAsPossibleAControlWaitsForWhatCommandsBeforeItHaveCaused() {
     ask(1, "command");
@@ -179,9 +181,9 @@ class TakingTest {
         .isEqualTo(100);
 
     submit(1, "battery?");
-    runWhile(Demand.DEBT);
+    runWhile(PendingWork.REPLY);
     simulation.drain();
-    runWhile(Demand.DEBT);
+    runWhile(PendingWork.REPLY);
     assertThat(replies.subList(2, 5)).containsExactly("ok", "100", "40");
   }
 
@@ -202,7 +204,7 @@ class TakingTest {
     }
   }
 
-  /** Sends a command, lets time pass until it is answered, and returns the answer. */
+  /** Sends a command, lets time pass until its reply, and returns the reply. */
   private String ask(int drone, String command) {
     int before = replies.size();
     submit(drone, command);
@@ -215,10 +217,10 @@ class TakingTest {
   }
 
   private void submit(int drone, String command) {
-    assertThat(simulation.submit(drone, PEER, command)).isTrue();
+    assertThat(simulation.submit(drone, PEER, WireText.encode(command))).isTrue();
   }
 
-  private void runWhile(Demand demand) {
+  private void runWhile(PendingWork demand) {
     simulation.drain();
     for (int i = 0; i < MANY && simulation.demand() == demand; i++) {
       simulation.step();
@@ -238,7 +240,7 @@ class TakingTest {
   private Simulation simulation(SimConfig config) {
     Simulation made =
         new Simulation(
-            config, drone -> (peer, text) -> replies.add(text.strip()), report -> {}, List.of());
+            config, drone -> TextPort.replies(text -> replies.add(text.strip())), List.of());
     for (int drone = 1; drone <= config.drones().size(); drone++) {
       made.control(new Control.Power(drone, true));
     }

@@ -11,23 +11,22 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.Motion;
-import tellosimulator.network.Ports;
-import tellosimulator.network.StateConnection;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
-import tellosimulator.testing.InMemoryPort;
+import tellosimulator.testing.TextPort;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
 
 /**
- * Flies two drones along a fixed script and prints the SHA-256 of everything that came of it: each
- * step's motion, each reply, each state line, each event. Arguments: the pace ({@code stepped},
- * {@code stepped-max}, {@code max} or a time factor) and the seed.
+ * Flies two drones along a fixed script and prints the SHA-256 of all results: each step's motion,
+ * each reply, each state line, each event. Arguments: the pace ({@code stepped}, {@code
+ * stepped-max}, {@code max} or a time factor) and the seed.
  */
 public final class TraceProgram implements SimListener {
 
@@ -48,7 +47,7 @@ public final class TraceProgram implements SimListener {
 
   private static final int DRONES = 2;
 
-  /** Each reply comes, because the next command waits for it. */
+  /** Faults that lose no reply, because the next command waits for it. */
   private static final List<String> FAULTS =
       List.of(
           "delay commands replies 20ms spread 30ms",
@@ -61,7 +60,7 @@ public final class TraceProgram implements SimListener {
   private final MessageDigest digest;
   private final CountDownLatch done = new CountDownLatch(DRONES);
   private final int[] next = new int[DRONES];
-  private final InMemoryPort states = new InMemoryPort(loopback(8879));
+  private final List<String> states = new ArrayList<>();
   private final Simulation simulation;
 
   private TraceProgram(TimeFactor factor, long seed) throws NoSuchAlgorithmException {
@@ -76,8 +75,7 @@ public final class TraceProgram implements SimListener {
                 .withRoom(room, Formation.row(DRONES, Vec3.ZERO, room))
                 .withTimeFactor(factor)
                 .withSeed(seed),
-            drone -> (peer, text) -> replied(drone, text),
-            new StateConnection(new Ports(List.of(states))),
+            drone -> TextPort.of(text -> replied(drone, text), states::add),
             List.of(this));
     for (int drone = 1; drone <= DRONES; drone++) {
       simulation.control(new Control.Power(drone, true));
@@ -123,7 +121,8 @@ public final class TraceProgram implements SimListener {
       return;
     }
     String command = SCRIPT.get(index);
-    simulation.submit(drone, new Peer(loopback(9000 + drone), loopback(8879)), command);
+    simulation.submit(
+        drone, new Peer(loopback(9000 + drone), loopback(8879)), WireText.encode(command));
     if (command.startsWith("rc ")) {
       sendNext(drone);
     }
@@ -131,7 +130,7 @@ public final class TraceProgram implements SimListener {
 
   @Override
   public void event(SimEvent event) {
-    if (!(event instanceof SimEvent.TimeLost)) { // which is about the machine, not the flight
+    if (!(event instanceof SimEvent.TimeLost)) { // about the machine, not the flight
       add(event.line());
     }
   }
@@ -141,8 +140,8 @@ public final class TraceProgram implements SimListener {
     if (done.getCount() == 0) {
       return;
     }
-    List<InMemoryPort.Sent> lines = new ArrayList<>(states.takeSent());
-    lines.forEach(sent -> add(sent.text()));
+    states.forEach(this::add);
+    states.clear();
     snapshot.drones().forEach(drone -> add(drone.state().motion()));
   }
 

@@ -13,15 +13,15 @@ import java.util.concurrent.TimeUnit;
 import org.slf4j.LoggerFactory;
 
 /**
- * What a class logs, instead of the console, until it is closed. A test that lets people be asked
- * to report an error must look at what is logged before that.
+ * Captures the log events of a class, instead of the console, until it is closed. A test that logs
+ * a request to report an error must read the captured events before closing.
  */
 public final class CapturedLog extends UnsynchronizedAppenderBase<ILoggingEvent>
     implements AutoCloseable {
 
   private final BlockingQueue<ILoggingEvent> events = new LinkedBlockingQueue<>();
 
-  /** What was captured; while one closes, its events may still be on their way up to the root. */
+  /** The captured events; after a close, some may still be on their way up to the root logger. */
   private static final Set<ILoggingEvent> TAKEN =
       Collections.synchronizedSet(Collections.newSetFromMap(new WeakHashMap<>()));
 
@@ -32,7 +32,7 @@ public final class CapturedLog extends UnsynchronizedAppenderBase<ILoggingEvent>
     this.logger = logger;
   }
 
-  /** Listens from now on. */
+  /** Starts to capture the events of a class. */
   public static CapturedLog of(Class<?> type) {
     CapturedLog log = new CapturedLog((Logger) LoggerFactory.getLogger(type));
     log.start();
@@ -41,17 +41,17 @@ public final class CapturedLog extends UnsynchronizedAppenderBase<ILoggingEvent>
     return log;
   }
 
-  /** Whether somebody captured an event. */
+  /** Returns whether an event was captured. */
   static boolean took(ILoggingEvent event) {
     return TAKEN.contains(event);
   }
 
-  /** Waits for the next sentence. */
+  /** Waits for the next message. */
   public String next() throws InterruptedException {
     return event().getFormattedMessage();
   }
 
-  /** Waits for the next sentence with what belongs to it. */
+  /** Waits for the next event. */
   public ILoggingEvent event() throws InterruptedException {
     lookedAt = true;
     ILoggingEvent event = events.poll(20, TimeUnit.SECONDS);
@@ -61,7 +61,7 @@ public final class CapturedLog extends UnsynchronizedAppenderBase<ILoggingEvent>
     return event;
   }
 
-  /** Whether there is none. */
+  /** Returns whether no event is waiting. */
   public boolean isEmpty() {
     lookedAt = true;
     return events.isEmpty();

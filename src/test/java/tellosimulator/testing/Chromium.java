@@ -8,8 +8,8 @@ import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A browser without a window, as a process that is run once for each page, for tests that need
- * {@link Tool#CHROMIUM}.
+ * A headless browser in a separate process for each page, for tests that need {@link
+ * Tool#CHROMIUM}.
  */
 public final class Chromium {
 
@@ -18,10 +18,10 @@ public final class Chromium {
   private Chromium() {}
 
   /**
-   * The markup of a page after its scripts have run.
+   * Returns the markup of a page after its scripts have run.
    *
    * @param page a file
-   * @param anchor what comes after its name: {@code #t=3}
+   * @param anchor the fragment after its name: {@code #t=3}
    * @param work a folder for the browser's own files
    */
   public static String dom(Path page, String anchor, Path work) {

@@ -9,13 +9,13 @@ import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 
-/** Pictures of the pages as files. */
+/** Encodes images as files, as the pages contain them. */
 public final class CompressedImage {
 
   private CompressedImage() {}
 
   /**
-   * The bytes of a file.
+   * Returns the bytes of a file.
    *
    * @param format such as {@code png} or {@code jpeg}
    * @param quality of the compression, from 0 (smallest) to 1

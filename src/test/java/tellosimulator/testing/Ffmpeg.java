@@ -10,14 +10,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** A decoder that is not ours: the program ffmpeg, for tests that need {@link Tool#FFMPEG}. */
+/** An independent decoder: the program ffmpeg, for tests that need {@link Tool#FFMPEG}. */
 public final class Ffmpeg {
 
   /**
-   * What came out.
+   * The result of decoding.
    *
    * @param pictures brightness of each pixel, row by row, one byte each
-   * @param complaints what it wrote from warnings on
+   * @param complaints its output of warnings and errors
    */
   public record Decoded(List<byte[]> pictures, String complaints) {}
 
@@ -26,8 +26,8 @@ public final class Ffmpeg {
   /**
    * Decodes an H.264 stream.
    *
-   * @param pixels how many a picture has
-   * @param folder for files in between
+   * @param pixels number of pixels per frame
+   * @param folder for temporary files
    * @param options of the decoder
    */
   public static Decoded decode(byte[] stream, int pixels, Path folder, String... options)
@@ -38,10 +38,10 @@ public final class Ffmpeg {
   }
 
   /**
-   * Decodes a film in a file.
+   * Decodes a video file.
    *
-   * @param pixels how many a picture has
-   * @param folder for files in between
+   * @param pixels number of pixels per frame
+   * @param folder for temporary files
    */
   public static Decoded decodeFile(Path film, int pixels, Path folder)
       throws IOException, InterruptedException {

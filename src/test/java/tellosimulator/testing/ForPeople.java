@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.regex.Pattern;
 
-/** What sentences for people never hold: names of classes, records and objects of Java. */
+/** Checks texts for names of classes, records and Java objects, which messages must not contain. */
 public final class ForPeople {
 
   private static final Pattern JAVA =
@@ -14,7 +14,7 @@ public final class ForPeople {
 
   private ForPeople() {}
 
-  /** Fails if a text holds one. */
+  /** Fails if a text contains such a name. */
   public static void check(String text) {
     assertThat(text).doesNotContainPattern(JAVA);
   }

@@ -8,22 +8,22 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * A page of {@code docs} that is made from the code and a template. A test compares it with the
- * file, and writes the file with {@code -Dupdate.docs=true}.
+ * A page of {@code docs} that is generated from the code and a template. A test compares it with
+ * the file, and writes the file with {@code -Dupdate.docs=true}.
  *
- * @param name of the file in {@code docs}, without its ending
+ * @param name of the file in {@code docs}, without its extension
  */
 public record GeneratedPage(String name) {
 
-  /** The template, in which the parts that come from the code have names in double braces. */
+  /** Returns the template, in which the generated parts have names in double braces. */
   public String template() {
     return read(Path.of("src", "test", "resources", "docs", name + ".template.md"));
   }
 
   /**
-   * Fails unless the file is the same as a text.
+   * Fails unless the file equals a text.
    *
-   * @param test that makes the text, for the message
+   * @param test the test that generates the text, for the message
    */
   public void check(String text, Class<?> test) {
     Path file = Path.of("docs", name + ".md");

@@ -7,20 +7,20 @@ import java.util.Deque;
 import java.util.concurrent.locks.LockSupport;
 import tellosimulator.Main;
 
-/** The program as users start it, with a guest that fills its memory when something is typed. */
+/** The program with a thread that fills its memory as soon as a line is typed. */
 public final class HungryProgram {
 
   private static final int LEAST_BYTE = 16;
 
   /**
-   * From one try that finds nothing to the next [ns]: each costs two collections of the whole heap,
-   * which takes seconds beside other work, and the program must come to its own.
+   * Pause between two failed allocations [ns]: each costs two collections of the whole heap, which
+   * take seconds on a busy machine, and the program must get processor time.
    */
   private static final long REST_NANOS = 1_000_000_000;
 
   private HungryProgram() {}
 
-  /** Takes the arguments of the program. */
+  /** Accepts the arguments of the program. */
   public static void main(String[] args) {
     InputStream typed = System.in;
     System.setIn(InputStream.nullInputStream());
@@ -40,7 +40,7 @@ public final class HungryProgram {
     }
   }
 
-  /** Takes whatever becomes free, too. */
+  /** Fills the heap, and also all memory that becomes free later. */
   private static void eat() {
     Deque<byte[]> eaten = new ArrayDeque<>();
     for (int size = 1 << 20; !eaten.isEmpty() || size > 0; ) {

@@ -6,7 +6,7 @@ import java.util.List;
 import tellosimulator.command.WireText;
 import tellosimulator.network.DatagramPort;
 
-/** A port without a network, which keeps what is sent. For any thread. */
+/** A port without a network, which stores sent datagrams. Thread-safe. */
 public final class InMemoryPort implements DatagramPort {
 
   /**
@@ -23,7 +23,7 @@ public final class InMemoryPort implements DatagramPort {
     this.address = address;
   }
 
-  /** What was sent since this was asked last. */
+  /** Returns and removes all datagrams sent so far. */
   public synchronized List<Sent> takeSent() {
     List<Sent> sent = List.copyOf(outgoing);
     outgoing.clear();
@@ -37,7 +37,7 @@ public final class InMemoryPort implements DatagramPort {
 
   @Override
   public synchronized void send(byte[] bytes, InetSocketAddress to) {
-    outgoing.add(new Sent(to, WireText.decode(bytes, bytes.length)));
+    outgoing.add(new Sent(to, WireText.decode(bytes)));
   }
 
   @Override

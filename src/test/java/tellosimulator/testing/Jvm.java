@@ -4,24 +4,27 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Java processes for tests, which need the tag {@code process}. */
+/** Starts Java processes for tests, which need the tag {@code process}. */
 public final class Jvm {
 
   private static final Path HOME = Path.of(System.getProperty("java.home"));
 
   private Jvm() {}
 
-  /** The {@code java} that runs this. */
+  /** Returns the running {@code java}. */
   public static String java() {
     return java(HOME);
   }
 
-  /** The {@code java} of a JDK. */
+  /** Returns the {@code java} of a JDK. */
   public static String java(Path home) {
     return home.resolve("bin").resolve("java").toString();
   }
 
-  /** Runs a class of the tests or of the program, on this Java and with this class path. */
+  /**
+   * Returns a command that runs a class of the tests or of the program, with this Java and class
+   * path.
+   */
   public static List<String> commandOf(Class<?> main, String... arguments) {
     List<String> command =
         new ArrayList<>(List.of(java(), "-cp", System.getProperty("java.class.path")));
@@ -31,7 +34,7 @@ public final class Jvm {
   }
 
   /**
-   * A process that is ready to be started.
+   * Returns a process builder for a command.
    *
    * @param command whose first word is a {@code java}
    * @throws AssertionError if the running test is not tagged with {@code process}

@@ -9,8 +9,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.extension.ExtendWith;
 
 /**
- * A test that starts programs of others. Where one of them is missing the test is skipped, with the
- * command that installs it; where the environment says {@code CI=true}, that is a failure.
+ * Declares the external programs that a test starts. If one of them is missing the test is skipped,
+ * with the command that installs it; with {@code CI=true} in the environment, it fails instead.
  */
 @Target({ElementType.TYPE, ElementType.METHOD})
 @Retention(RetentionPolicy.RUNTIME)
@@ -19,6 +19,6 @@ import org.junit.jupiter.api.extension.ExtendWith;
 @ExtendWith(ToolCondition.class)
 public @interface NeedsTool {
 
-  /** The programs, all of which must be there. */
+  /** The programs, all of which must be available. */
   Tool[] value();
 }

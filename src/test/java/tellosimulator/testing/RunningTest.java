@@ -12,16 +12,16 @@ import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.platform.commons.support.AnnotationSupport;
 
 /**
- * The test that runs in this JVM, for {@link Tool} and {@link Jvm}, which start processes only for
- * tests that say so. JUnit registers it for each test by itself, as a service; tests of one JVM run
- * one after the other.
+ * The test that is running in this JVM, for {@link Tool} and {@link Jvm}, which start processes
+ * only for tests that declare them. JUnit registers it for each test automatically, as a service;
+ * tests of one JVM run sequentially.
  */
 public final class RunningTest
     implements BeforeAllCallback, BeforeEachCallback, AfterEachCallback, AfterAllCallback {
 
   private static volatile Optional<ExtensionContext> running = Optional.empty();
 
-  /** Whether the running test, its class or a class around it names a tool. */
+  /** Returns whether the running test, its class or an enclosing class declares a tool. */
   static boolean names(Tool tool) {
     Set<Tool> named = EnumSet.noneOf(Tool.class);
     for (Optional<ExtensionContext> at = running;
@@ -33,7 +33,7 @@ public final class RunningTest
     return named.contains(tool);
   }
 
-  /** Whether the running test has a tag, by itself or by its class. */
+  /** Returns whether the running test or its class has a tag. */
   static boolean isTagged(String tag) {
     return running.map(test -> test.getTags().contains(tag)).orElse(false);
   }

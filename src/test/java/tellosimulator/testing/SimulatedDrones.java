@@ -5,14 +5,11 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.model.DroneState;
-import tellosimulator.network.CommandResponseSender;
-import tellosimulator.network.Ports;
-import tellosimulator.network.StateConnection;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimListener;
@@ -21,47 +18,42 @@ import tellosimulator.sim.Simulation;
 import tellosimulator.time.SimTime;
 
 /**
- * All drones of a configuration, switched on, that a test talks to and whose time it steps: no
- * sockets, no threads, no waiting.
+ * All drones of a configuration, switched on, for a test that sends commands and steps simulated
+ * time: no sockets, no threads, no waiting.
  */
 public final class SimulatedDrones {
 
-  /** Longest simulated time that replies are waited for [s]. */
+  /** Longest simulated time to wait for replies [s]. */
   private static final double PATIENCE = 60;
 
   private static final int OPERATORS_PORT = 9000;
 
   private final Simulation simulation;
   private final int count;
-  private final Map<Integer, InMemoryPort> ports = new HashMap<>();
   private final Map<Integer, List<String>> replies = new HashMap<>();
 
   /**
-   * @param listeners are told what happens
+   * @param listeners are notified of all events
    */
   public SimulatedDrones(SimConfig config, List<SimListener> listeners) {
     count = config.drones().size();
     for (int drone = 1; drone <= count; drone++) {
-      ports.put(drone, new InMemoryPort(address(drone)));
       replies.put(drone, new ArrayList<>());
     }
     simulation =
         new Simulation(
             config,
-            drone ->
-                new CommandResponseSender(
-                    new Ports(List.of(ports.get(drone))), OptionalInt.empty()),
-            new StateConnection(new Ports(List.of())),
+            drone -> TextPort.replies(text -> replies.get(drone).add(text.strip())),
             listeners);
     all().forEach(drone -> control(new Control.Power(drone, true)));
   }
 
-  /** Lets the first drone carry out commands, each after the reply to the one before. */
+  /** Sends commands to the first drone, each after the reply to the previous one. */
   public List<String> fly(String... commands) {
     return fly(1, commands);
   }
 
-  /** Lets a drone carry out commands, each after the reply to the one before. */
+  /** Sends commands to a drone, each after the reply to the previous one. */
   public List<String> fly(int drone, String... commands) {
     List<String> answers = new ArrayList<>();
     for (String command : commands) {
@@ -70,7 +62,7 @@ public final class SimulatedDrones {
     return answers;
   }
 
-  /** Sends a command and lets time pass until the reply comes. */
+  /** Sends a command and advances time until the reply. */
   public String ask(int drone, String command) {
     int before = replies.get(drone).size();
     send(drone, command);
@@ -78,14 +70,14 @@ public final class SimulatedDrones {
     return replies.get(drone).get(before);
   }
 
-  /** Lets all drones carry out commands, each after all have answered the one before. */
+  /** Sends commands to all drones, each after all have answered the previous one. */
   public void flyAll(String... commands) {
     for (String command : commands) {
       flyTogether(all().stream().map(drone -> command).toList());
     }
   }
 
-  /** Sends each drone a command of its own, and lets time pass until all have answered. */
+  /** Sends each drone its own command, and advances time until all have answered. */
   public void flyTogether(List<String> commands) {
     Map<Integer, Integer> before = new HashMap<>();
     for (int i = 0; i < commands.size(); i++) {
@@ -99,36 +91,34 @@ public final class SimulatedDrones {
         String.valueOf(commands));
   }
 
-  /** A datagram arrives. */
+  /** Delivers a datagram. */
   public void send(int drone, String command) {
     Peer peer =
         new Peer(SteppedDrone.address("192.168.10.100", OPERATORS_PORT + drone), address(drone));
-    simulation.submit(drone, peer, command);
+    simulation.submit(drone, peer, WireText.encode(command));
     simulation.drain();
-    collect();
   }
 
-  /** A person does something. */
+  /** Applies a control. */
   public void control(Control control) {
     simulation.control(control);
     simulation.drain();
-    collect();
   }
 
-  /** Lets simulated time pass. */
+  /** Advances simulated time. */
   public void advance(double seconds) {
     long steps = Math.round(seconds / SimTime.STEP);
     for (long i = 0; i < steps; i++) {
-      step();
+      simulation.step();
     }
   }
 
-  /** A drone at the end of the last step. */
+  /** Returns a drone at the end of the last step. */
   public DroneState state(int drone) {
     return simulation.snapshot().drones().get(drone - 1).state();
   }
 
-  /** All drones at the end of the last step. */
+  /** Returns all drones at the end of the last step. */
   public SimSnapshot snapshot() {
     return simulation.snapshot();
   }
@@ -139,19 +129,8 @@ public final class SimulatedDrones {
       if (simulation.snapshot().time().seconds() > end) {
         throw new AssertionError("no reply to " + what + " within " + PATIENCE + " s");
       }
-      step();
+      simulation.step();
     }
-  }
-
-  private void step() {
-    simulation.step();
-    collect();
-  }
-
-  private void collect() {
-    ports.forEach(
-        (drone, port) ->
-            port.takeSent().forEach(sent -> replies.get(drone).add(sent.text().strip())));
   }
 
   private List<Integer> all() {

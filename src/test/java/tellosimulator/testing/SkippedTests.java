@@ -14,8 +14,8 @@ import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 
 /**
- * Prints which tests a build has skipped, and why. Maven runs it as a single source file at the end
- * of {@code verify}:
+ * Prints the tests that a build has skipped, and the reasons. Maven runs it as a single source file
+ * at the end of {@code verify}:
  *
  * <pre>java SkippedTests.java TARGET BEGINNING</pre>
  *
@@ -26,7 +26,7 @@ public final class SkippedTests {
 
   private SkippedTests() {}
 
-  /** Takes the folder of the reports' folders and the time at which the build began. */
+  /** Takes the parent folder of the report folders, and the start time of the build. */
   public static void main(String[] arguments) throws Exception {
     Instant beginning = Instant.parse(arguments[1]);
     Map<String, Integer> skipped = new TreeMap<>();
@@ -40,7 +40,7 @@ public final class SkippedTests {
     System.out.print(summary(skipped));
   }
 
-  /** One line for each reason. */
+  /** Returns one line for each reason. */
   static String summary(Map<String, Integer> skipped) {
     if (skipped.isEmpty()) {
       return "";
@@ -59,7 +59,7 @@ public final class SkippedTests {
     }
   }
 
-  /** Adds the reasons of one report; a class that is skipped whole counts once. */
+  /** Adds the reasons of one report; a class that is skipped as a whole counts once. */
   static void count(Path report, Map<String, Integer> skipped) throws Exception {
     Document document =
         DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(report.toFile());

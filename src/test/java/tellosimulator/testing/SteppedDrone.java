@@ -7,13 +7,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.BooleanSupplier;
-import tellosimulator.command.Link;
+import tellosimulator.command.DronePort;
+import tellosimulator.command.OperatorEndpoint;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
+import tellosimulator.fault.LinkDirection;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.model.DroneState;
-import tellosimulator.network.CommandResponseSender;
+import tellosimulator.network.DatagramSender;
 import tellosimulator.network.Ports;
-import tellosimulator.network.StateConnection;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
@@ -25,15 +27,16 @@ import tellosimulator.sim.Simulation;
 import tellosimulator.time.SimTime;
 
 /**
- * One simulated drone, switched on, that a test talks to and whose time it steps: no sockets, no
- * threads, no waiting. What the drone sends is collected as it would leave on the wire.
+ * One simulated drone, switched on, for a test that sends commands and steps simulated time: no
+ * sockets, no threads, no waiting. The drone's datagrams are collected as they would leave on the
+ * wire.
  */
 public final class SteppedDrone {
 
-  /** Where the drone is commanded. */
+  /** The drone's address for commands. */
   public static final InetSocketAddress DRONE = address("192.168.10.1", 8889);
 
-  /** Who commands unless a test says otherwise. */
+  /** The default client. */
   public static final InetSocketAddress CLIENT = address("192.168.10.2", 9000);
 
   /** Longest simulated time that {@link #ask} waits [s]. */
@@ -56,8 +59,8 @@ public final class SteppedDrone {
   private final List<SimEvent> events = new ArrayList<>();
 
   private SteppedDrone(SimConfig config, OptionalInt fixedReplyPort) {
-    CommandResponseSender sender =
-        new CommandResponseSender(new Ports(List.of(replyPort)), fixedReplyPort);
+    DronePort replySender = new DatagramSender(new Ports(List.of(replyPort)), fixedReplyPort);
+    DronePort stateSender = new DatagramSender(new Ports(List.of(statePort)), fixedReplyPort);
     SimListener listener =
         new SimListener() {
           @Override
@@ -68,28 +71,32 @@ public final class SteppedDrone {
     simulation =
         new Simulation(
             config,
-            number -> sender,
-            new StateConnection(new Ports(List.of(statePort))),
+            number ->
+                datagram ->
+                    (datagram.direction() == LinkDirection.STATE ? stateSender : replySender)
+                        .send(datagram),
             List.of(listener));
     control(new Control.Power(1, true));
   }
 
-  /** In the middle of the default room, on an ideal link. */
+  /** Creates a drone in the middle of the default room, on an ideal link. */
   public static SteppedDrone of(Profile profile, Behavior behavior) {
     return of(SimConfig.DEFAULT.withProduct(profile, behavior).withLink(LinkPreset.IDEAL));
   }
 
-  /** The first drone of a configuration. */
+  /** Creates the first drone of a configuration. */
   public static SteppedDrone of(SimConfig config) {
     return new SteppedDrone(config, OptionalInt.empty());
   }
 
-  /** The first drone of a configuration, with all replies to one port of the client's host. */
+  /**
+   * Creates the first drone of a configuration, with all replies to one port of the client's host.
+   */
   public static SteppedDrone withReplyPort(SimConfig config, int port) {
     return new SteppedDrone(config, OptionalInt.of(port));
   }
 
-  /** An address without any look-up. */
+  /** Returns an address without a DNS lookup. */
   public static InetSocketAddress address(String ip, int port) {
     try {
       return new InetSocketAddress(InetAddress.getByName(ip), port);
@@ -98,24 +105,24 @@ public final class SteppedDrone {
     }
   }
 
-  // --- what a client does ---
+  // --- client ---
 
-  /** A datagram arrives from {@link #CLIENT}; replies that need no time are there at once. */
+  /** Delivers a datagram from {@link #CLIENT}; immediate replies are available on return. */
   public void send(String text) {
     send(CLIENT, text);
   }
 
-  /** A datagram arrives. */
+  /** Delivers a datagram. */
   public void send(InetSocketAddress client, String text) {
-    simulation.submit(1, new Peer(client, DRONE), text);
+    simulation.submit(1, new Peer(client, DRONE), WireText.encode(text));
     simulation.drain();
     collect();
   }
 
   /**
-   * Sends a command and lets time pass until a reply comes.
+   * Sends a command and advances time until a reply arrives.
    *
-   * @throws AssertionError if none comes within 30 s
+   * @throws AssertionError if there is none within 30 s
    */
   public String ask(String text) {
     int before = replies.size();
@@ -126,7 +133,7 @@ public final class SteppedDrone {
     return replies.get(before).text();
   }
 
-  // --- what a person does ---
+  // --- controls ---
 
   public void control(Control control) {
     simulation.control(control);
@@ -136,12 +143,12 @@ public final class SteppedDrone {
 
   // --- time ---
 
-  /** Simulated time since the start [s]. */
+  /** Returns the simulated time since the start [s]. */
   public double seconds() {
     return simulation.snapshot().time().seconds();
   }
 
-  /** Lets simulated time pass. */
+  /** Advances simulated time. */
   public void advance(double seconds) {
     long steps = Math.round(seconds / SimTime.STEP);
     for (long i = 0; i < steps; i++) {
@@ -150,10 +157,10 @@ public final class SteppedDrone {
   }
 
   /**
-   * Lets simulated time pass until something is so.
+   * Advances simulated time until a condition holds.
    *
-   * @param mostSeconds how long at the most
-   * @return whether it is so
+   * @param mostSeconds time limit
+   * @return whether the condition holds
    */
   public boolean advanceUntil(BooleanSupplier reached, double mostSeconds) {
     double end = seconds() + mostSeconds;
@@ -163,34 +170,34 @@ public final class SteppedDrone {
     return reached.getAsBoolean();
   }
 
-  // --- what can be seen ---
+  // --- observations ---
 
-  /** The drone at the end of the last step. */
+  /** Returns the drone at the end of the last step. */
   public DroneState state() {
     return snapshot().state();
   }
 
-  /** Where state and video go. */
-  public Link link() {
+  /** Returns the destination of state and video. */
+  public OperatorEndpoint link() {
     return snapshot().link();
   }
 
-  /** All replies so far, in order. */
+  /** Returns all replies so far, in order. */
   public List<Sent> replies() {
     return List.copyOf(replies);
   }
 
-  /** All state lines so far, in order. */
+  /** Returns all state lines so far, in order. */
   public List<Sent> stateLines() {
     return List.copyOf(stateLines);
   }
 
-  /** What happened so far, in order. */
+  /** Returns all events so far, in order. */
   public List<SimEvent> events() {
     return List.copyOf(events);
   }
 
-  /** All that a snapshot has of the drone, at the end of the last step. */
+  /** Returns the drone's part of the snapshot at the end of the last step. */
   public DroneSnapshot snapshot() {
     return simulation.snapshot().drones().get(0);
   }

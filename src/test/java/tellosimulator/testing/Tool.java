@@ -13,8 +13,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 
 /**
- * The foreign programs that tests start. A test names those that it needs with {@link NeedsTool}
- * and starts them through {@link #command}, which fails in a test that has not named them.
+ * The external programs that tests start. A test declares those that it needs with {@link
+ * NeedsTool} and starts them through {@link #command}, which fails in a test that has not declared
+ * them.
  */
 public enum Tool {
   CHROMIUM("apt-get install chromium", "--version"),
@@ -27,7 +28,7 @@ public enum Tool {
   SH("apt-get install dash", "-c", "exit 0"),
   TAR("apt-get install tar", "--version"),
   TSHARK("apt-get install tshark", "--version"),
-  /** {@code unshare}, where every user may make networks and mounts of his own. */
+  /** {@code unshare}, where unprivileged users may create networks and mounts. */
   NAMESPACES(
       "apt-get install util-linux iproute2, on a system that allows user namespaces",
       "--user",
@@ -41,7 +42,7 @@ public enum Tool {
       "python3 -m venv conformance/.venv"
           + " && conformance/.venv/bin/pip install -r conformance/requirements.txt",
       "-c",
-      "import av, cv2.aruco, djitellopy, mcap, pytest, tello_asyncio"),
+      "import av, cv2.aruco, djitellopy, junitparser, mcap, pytest, tello_asyncio"),
   /** Node.js with the packages of {@code conformance/package.json}. */
   NODE_CLIENTS(
       "apt-get install nodejs npm && npm install --prefix conformance",
@@ -60,25 +61,27 @@ public enum Tool {
     this.probe = List.of(probe);
   }
 
-  /** The command that installs it on Debian; elsewhere it says at least what is missing. */
+  /**
+   * Returns the command that installs it on Debian; elsewhere it at least names what is missing.
+   */
   public String install() {
     return install;
   }
 
-  /** Whether it is there and works; tried once in each JVM. */
+  /** Returns whether it is available and works; tried once per JVM. */
   public boolean works() {
     return WORKING.computeIfAbsent(this, Tool::probe);
   }
 
-  /** Whether a build server may be unable to offer it. */
+  /** Returns whether a build server may be unable to provide it. */
   boolean canBeForbidden() {
     return this == NAMESPACES;
   }
 
   /**
-   * A process that is ready to be started.
+   * Returns a process builder for a command.
    *
-   * @throws AssertionError if the running test does not name this tool with {@link NeedsTool}
+   * @throws AssertionError if the running test does not declare this tool with {@link NeedsTool}
    */
   public ProcessBuilder command(String... arguments) {
     if (!RunningTest.names(this)) {

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.extension.ExecutionCondition;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.platform.commons.support.AnnotationSupport;
 
-/** Whether the programs are there that {@link NeedsTool} names. */
+/** Checks whether the programs declared by {@link NeedsTool} are available. */
 final class ToolCondition implements ExecutionCondition {
 
   @Override

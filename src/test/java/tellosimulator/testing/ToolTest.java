@@ -13,7 +13,9 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Tests start programs only where they say so, and a build says what it skipped. */
+/**
+ * Checks that tests start programs only if they declare them, and that a build lists skipped tests.
+ */
 class ToolTest {
 
   @TempDir private Path folder;

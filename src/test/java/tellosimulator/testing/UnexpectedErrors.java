@@ -16,15 +16,16 @@ import org.junit.jupiter.api.extension.ParameterResolver;
 import org.slf4j.LoggerFactory;
 
 /**
- * Fails a test during which the log asked people to report an error, unless the test expected that
- * with a {@link CapturedLog}. JUnit registers it for each test by itself, as a service.
+ * Fails a test during which the log contained a request to report an error, unless the test
+ * captured it with a {@link CapturedLog}. JUnit registers it for each test automatically, as a
+ * service.
  */
 public final class UnexpectedErrors
     implements BeforeAllCallback, AfterEachCallback, AfterAllCallback, ParameterResolver {
 
   private static final Appender APPENDER = new Appender();
 
-  /** Whether the log asks people to report an error. */
+  /** Returns whether a log event asks the user to report an error. */
   static boolean asksForReport(ILoggingEvent event) {
     return event.getFormattedMessage().contains("please report");
   }
@@ -43,13 +44,13 @@ public final class UnexpectedErrors
     check();
   }
 
-  /** What threads logged that outlived the last test. */
+  /** Checks the events of threads that outlived the last test. */
   @Override
   public void afterAll(ExtensionContext context) {
     check();
   }
 
-  /** Fails if such an error has been logged since it was called last. */
+  /** Fails if such an error has been logged since the last call. */
   void check() {
     List<String> errors = new ArrayList<>();
     for (String error = APPENDER.errors.poll(); error != null; error = APPENDER.errors.poll()) {
@@ -70,7 +71,7 @@ public final class UnexpectedErrors
     return this;
   }
 
-  /** On the root logger: gets what no CapturedLog keeps to itself. */
+  /** An appender on the root logger: receives all events that no CapturedLog has captured. */
   private static final class Appender extends UnsynchronizedAppenderBase<ILoggingEvent> {
 
     private final Queue<String> errors = new ConcurrentLinkedQueue<>();

@@ -7,7 +7,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import org.junit.jupiter.api.Test;
 import tellosimulator.concurrent.ErrorPolicy;
 
-/** JUnit gives the parameter only if it has registered the extension by itself. */
+/** JUnit provides the parameter only if it has registered the extension automatically. */
 class UnexpectedErrorsTest {
 
   private final Exception broken = new IllegalStateException("broken on purpose");

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class PacerTest {
 
-  /** The clock on the wall, and what it goes on by whenever somebody looks at it [ns]. */
+  /** The wall clock, and its increment on each reading [ns]. */
   private long nanos;
 
   private long step;
@@ -22,14 +22,14 @@ class PacerTest {
     Pacer pacer = new Pacer(TimeFactor.MAX);
 
     for (int i = 0; i < 1000; i++) {
-      assertThat(pacer.stepDue(() -> Demand.DEBT)).isTrue();
+      assertThat(pacer.stepDue(() -> PendingWork.REPLY)).isTrue();
     }
-    assertThat(pacer.stepDue(() -> Demand.NONE)).isFalse();
+    assertThat(pacer.stepDue(() -> PendingWork.NONE)).isFalse();
   }
 
   @Test
   void byTheClockTimePassesAlsoWhileNothingMoves() {
-    assertThat(new Pacer(TimeFactor.REAL_TIME).stepDue(() -> Demand.NONE)).isTrue();
+    assertThat(new Pacer(TimeFactor.REAL_TIME).stepDue(() -> PendingWork.NONE)).isTrue();
   }
 
   @Test
@@ -38,10 +38,10 @@ class PacerTest {
 
     pacer.setPaused(true);
     assertThat(pacer.paused()).isTrue();
-    assertThat(pacer.stepDue(() -> Demand.DEBT)).isFalse();
+    assertThat(pacer.stepDue(() -> PendingWork.REPLY)).isFalse();
 
     pacer.setPaused(false);
-    assertThat(pacer.stepDue(() -> Demand.DEBT)).isTrue();
+    assertThat(pacer.stepDue(() -> PendingWork.REPLY)).isTrue();
   }
 
   @Test
@@ -51,7 +51,7 @@ class PacerTest {
     pacer.setFactor(TimeFactor.MAX);
 
     assertThat(pacer.factor()).isEqualTo(TimeFactor.MAX);
-    assertThat(pacer.stepDue(() -> Demand.NONE)).isFalse();
+    assertThat(pacer.stepDue(() -> PendingWork.NONE)).isFalse();
   }
 
   @Test
@@ -68,18 +68,18 @@ class PacerTest {
   @Test
   void motionWaitsForTheNextCommandForTwoSecondsInWhichThisProcessRuns() {
     Pacer pacer = new Pacer(TimeFactor.MAX, this::nanos);
-    step = 10_000_000_000L; // as after a halt of the whole machine, each wait takes ten seconds
+    step = 10_000_000_000L; // each wait takes ten seconds, as after a halt of the machine
     int waits = 0;
-    while (!pacer.stepDue(() -> Demand.MOTION)) {
+    while (!pacer.stepDue(() -> PendingWork.MOTION)) {
       LockSupport.unpark(Thread.currentThread());
       pacer.await();
       waits++;
     }
 
     assertThat(waits).as("waits of at most 50 ms").isEqualTo(40);
-    assertThat(pacer.stepDue(() -> Demand.MOTION)).isTrue();
-    assertThat(pacer.stepDue(() -> Demand.DEBT)).isTrue();
-    assertThat(pacer.stepDue(() -> Demand.MOTION)).as("waits anew").isFalse();
+    assertThat(pacer.stepDue(() -> PendingWork.MOTION)).isTrue();
+    assertThat(pacer.stepDue(() -> PendingWork.REPLY)).isTrue();
+    assertThat(pacer.stepDue(() -> PendingWork.MOTION)).as("waits anew").isFalse();
   }
 
   @Test
@@ -88,7 +88,7 @@ class PacerTest {
     nanos = 200_000_000;
 
     int steps = 0;
-    while (pacer.stepDue(() -> Demand.NONE)) {
+    while (pacer.stepDue(() -> PendingWork.NONE)) {
       steps++;
     }
 
@@ -97,17 +97,17 @@ class PacerTest {
     assertThat(pacer.lossToTell()).isEmpty();
   }
 
-  /** A second late: the first step and the last one are made, but not the 199 in between. */
+  /** One second late: the first and the last step run, but not the 199 in between. */
   @ParameterizedTest
   @CsvSource({"1, 0.995", "20, 19.995"})
   void whatIsGivenUpIsLostSimulatedTime(double factor, double lost) {
     Pacer pacer = new Pacer(new TimeFactor(factor), this::nanos);
     nanos = 1_000_000_000;
 
-    assertThat(pacer.stepDue(() -> Demand.NONE)).isTrue();
+    assertThat(pacer.stepDue(() -> PendingWork.NONE)).isTrue();
     assertThat(pacer.lostSeconds()).isCloseTo(lost, within(1e-9));
-    assertThat(pacer.stepDue(() -> Demand.NONE)).as("the one that is due now").isTrue();
-    assertThat(pacer.stepDue(() -> Demand.NONE)).as("the next one, on time").isFalse();
+    assertThat(pacer.stepDue(() -> PendingWork.NONE)).as("the one that is due now").isTrue();
+    assertThat(pacer.stepDue(() -> PendingWork.NONE)).as("the next one, on time").isFalse();
   }
 
   @Test
@@ -139,11 +139,11 @@ class PacerTest {
     assertThat(pacer.lossToTell()).hasValueCloseTo(2.0, within(1e-6));
   }
 
-  /** Comes so late that all but the two steps are lost that are made then. */
+  /** Simulates a delay of which all steps are lost except for the two that run now. */
   private void lose(Pacer pacer, double seconds) {
     nanos += Math.round((seconds + SimTime.STEP) * 1e9);
-    assertThat(pacer.stepDue(() -> Demand.NONE)).isTrue();
-    assertThat(pacer.stepDue(() -> Demand.NONE)).isTrue();
+    assertThat(pacer.stepDue(() -> PendingWork.NONE)).isTrue();
+    assertThat(pacer.stepDue(() -> PendingWork.NONE)).isTrue();
     nanos += SimTime.STEP_NANOS;
   }
 

@@ -19,7 +19,7 @@ class PeriodicTest {
 
   @Test
   void theMeanPeriodDoesNotDependOnTheStep() {
-    // 100.6 ms is no multiple of 5 ms: 1000 periods are 100.6 s, late by less than one step.
+    // 100.6 ms is not a multiple of 5 ms: 1000 periods are 100.6 s, late by less than one step.
     Periodic periodic = new Periodic(SimTime.ZERO, () -> 0.1006);
 
     List<Long> due = dueMillis(periodic, 101);

@@ -12,7 +12,7 @@ import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.world.Decor;
 
-/** What the software camera sees is the same only while its pictures are. */
+/** Views of the software camera are equal only if their pictures are. */
 class CameraViewTest {
 
   private static final CameraId AHEAD = new CameraId(1, false);

@@ -2,9 +2,13 @@ package tellosimulator.video;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import tellosimulator.video.codec.AccessUnit;
 
-/** An encoded picture with NAL units of given lengths, each byte its number within the unit. */
+/**
+ * An encoded picture with NAL units of given lengths. The value of each byte is its index within
+ * the unit.
+ */
 final class FakePicture implements AccessUnit {
 
   private final byte[] bytes;
@@ -20,13 +24,22 @@ final class FakePicture implements AccessUnit {
     for (int length : lengths) {
       starts.add(starts.get(starts.size() - 1) + length);
     }
-    byte[] bytes = new byte[starts.get(starts.size() - 1) + 7]; // longer than what means something
+    byte[] bytes = new byte[starts.get(starts.size() - 1) + 7]; // longer than the used part
     for (int unit = 0; unit < lengths.length; unit++) {
       for (int i = 0; i < lengths[unit]; i++) {
         bytes[starts.get(unit) + i] = (byte) (i % 251);
       }
     }
     return new FakePicture(bytes, starts);
+  }
+
+  static FakePicture of(byte[]... nalUnits) {
+    FakePicture picture = of(Stream.of(nalUnits).mapToInt(unit -> unit.length).toArray());
+    for (int unit = 0; unit < nalUnits.length; unit++) {
+      System.arraycopy(
+          nalUnits[unit], 0, picture.bytes, picture.start(unit), nalUnits[unit].length);
+    }
+    return picture;
   }
 
   @Override

@@ -18,18 +18,18 @@ import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.H264Encoder;
 
 /**
- * The same seed and the same commands give the same film, byte for byte, on each machine and JDK:
- * simulation, camera and encoder use no function of {@code Math} whose last bits may differ.
+ * The same seed and the same commands result in the same video, byte for byte, on each machine and
+ * JDK: simulation, camera and encoder use no function of {@code Math} whose last bits may differ.
  */
 class FilmDeterminismTest {
 
-  /** SHA-256 of the stream. Where camera, room or encoder change on purpose, so does this. */
+  /** SHA-256 of the stream, to be updated when camera, room or encoder change on purpose. */
   private static final String EXPECTED =
-      "490b5bd539b50bb5b48c25a806729103d9cad8be5d42d9e881f9aa788789168b";
+      "2ec3bf2ede2b51be4b458db706ff9ab8430817fc2b15a4a59d185222f104326b";
 
   private static final VideoFormat FORMAT = VideoFormat.of(VideoSettings.DEFAULT);
 
-  /** From frame to frame [s]. */
+  /** Interval of frames [s]. */
   private static final double PERIOD = 0.04;
 
   private static final int FRAMES_OF_COMMAND = 12;
@@ -48,9 +48,9 @@ class FilmDeterminismTest {
     MessageDigest digest = MessageDigest.getInstance("SHA-256");
     SteppedDrone drone = SteppedDrone.of(SimConfig.DEFAULT);
     SimSnapshot room =
-        new Simulation(SimConfig.DEFAULT, number -> (peer, text) -> {}, report -> {}, List.of())
-            .snapshot();
-    Film film = new Film(1, new SoftwareCameras(DroneOptics.DEFAULT).get(), H264Encoder::new);
+        new Simulation(SimConfig.DEFAULT, number -> datagram -> {}, List.of()).snapshot();
+    FramePipeline film =
+        new FramePipeline(1, new SoftwareCameras(DroneOptics.DEFAULT).get(), H264Encoder::new);
     long frame = 0;
     List<String> flight = new ArrayList<>(List.of("command", "takeoff"));
     flight.addAll(List.of(commands));
@@ -58,7 +58,7 @@ class FilmDeterminismTest {
       drone.send(command);
       for (int i = 0; i < FRAMES_OF_COMMAND; i++) {
         drone.advance(PERIOD);
-        film.shoot(room.withDrones(List.of(drone.snapshot())), FORMAT);
+        film.capture(room.withDrones(List.of(drone.snapshot())), FORMAT);
         AccessUnit encoded = film.encode(Math.round(frame++ * PERIOD * 1e9), false);
         digest.update(encoded.bytes(), 0, encoded.size());
       }

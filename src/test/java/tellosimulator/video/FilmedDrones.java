@@ -28,17 +28,17 @@ import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.world.Room;
 
 /**
- * Drones that are on and film, with real sockets on loopback, and a program that commands them.
- * What a camera sees is one colour: as bright as its drone's number says.
+ * Drones that are on and stream video, with real sockets on loopback, and a program that commands
+ * them. The camera's image has a single colour, whose luma depends on the drone's number.
  */
 final class FilmedDrones implements AutoCloseable {
 
-  /** What the picture of drone 1 is like; each further one is brighter by {@link #STEP}. */
+  /** Luma of drone 1's picture; that of each further drone is higher by {@link #STEP}. */
   static final int FIRST = 60;
 
   static final int STEP = 40;
 
-  /** Of the camera that looks down. */
+  /** Luma of the downward camera's picture. */
   static final int BELOW = 20;
 
   private static final FrameSource ONE_COLOR =
@@ -53,7 +53,7 @@ final class FilmedDrones implements AutoCloseable {
   private final VideoStreams streams;
   private final DatagramSocket client;
 
-  /** Each drone's video goes to a port of its own. */
+  /** Starts the drones. Each drone's video goes to its own port. */
   FilmedDrones(Profile profile, int... videoPorts) throws IOException {
     List<StreamPorts> streamPorts =
         IntStream.of(videoPorts).mapToObj(port -> new StreamPorts(9, port)).toList();
@@ -94,7 +94,7 @@ final class FilmedDrones implements AutoCloseable {
     return ask(client, drone, text);
   }
 
-  /** The same as another program. */
+  /** Commands a drone from another program's socket and waits for its reply. */
   String ask(DatagramSocket from, int drone, String text) throws IOException {
     byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
     from.send(new DatagramPacket(bytes, bytes.length, address(drone)));

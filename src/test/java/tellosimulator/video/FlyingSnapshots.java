@@ -15,27 +15,26 @@ import tellosimulator.sim.Simulation;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 
-/** Moments of simulations in the default room, with drones in the air wherever one wants them. */
+/** Snapshots of simulations in the default room, with drones in the air at any poses. */
 final class FlyingSnapshots {
 
   private FlyingSnapshots() {}
 
-  /** Drones that fly, at rest. */
+  /** Returns a snapshot of drones that fly, at rest. */
   static SimSnapshot flying(Pose... poses) {
     return flying(Decor.DEFAULT, poses);
   }
 
-  /** The same in a room that looks different. */
+  /** Returns a snapshot of drones that fly in a room with other decor. */
   static SimSnapshot flying(Decor decor, Pose... poses) {
     return flying(Arena.DEFAULT.withDecor(decor), poses);
   }
 
-  /** The same in a room with other things in it. */
+  /** Returns a snapshot of drones that fly in a room with other content. */
   static SimSnapshot flying(Arena arena, Pose... poses) {
     List<Pose> starts = Formation.row(poses.length, Vec3.ZERO, arena.room());
     SimConfig config = SimConfig.DEFAULT.withRoom(arena.room(), starts).withArena(arena);
-    Simulation simulation =
-        new Simulation(config, number -> (peer, text) -> {}, report -> {}, List.of());
+    Simulation simulation = new Simulation(config, number -> datagram -> {}, List.of());
     SimSnapshot snapshot = simulation.snapshot();
     List<DroneSnapshot> drones = new ArrayList<>();
     for (int i = 0; i < poses.length; i++) {

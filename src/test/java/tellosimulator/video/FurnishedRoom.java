@@ -12,7 +12,7 @@ import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.ObstacleAppearance.Side;
 import tellosimulator.world.Shape;
 
-/** A room with one of everything that can stand in it, and all mission pads. */
+/** A room with one obstacle of each kind, and all mission pads. */
 final class FurnishedRoom {
 
   private static final Map<Side, String> MARKERS =
@@ -59,12 +59,12 @@ final class FurnishedRoom {
     return new ObstacleAppearance(rgb, pattern, Map.of());
   }
 
-  /** Turned a little. */
+  /** An obstacle, turned a little. */
   private static Obstacle thing(Shape shape, Vec3 foot, ObstacleAppearance appearance) {
     return new Obstacle("thing", shape, foot, 0.3, appearance);
   }
 
-  /** Two rows of four. */
+  /** A mission pad in one of two rows of four. */
   private static MissionPad pad(int id) {
     int row = (id - 1) / 4;
     int column = (id - 1) % 4;

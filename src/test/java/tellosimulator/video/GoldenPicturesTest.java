@@ -5,27 +5,38 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.CameraId;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.video.picture.Picture;
 import tellosimulator.world.Arena;
 
 /**
- * Compares pictures of the software camera with kept ones. Where they shall look different, make
- * them anew with {@code mvn test -Dtest=GoldenPicturesTest -Dupdate.golden=true}, and look at them.
+ * Compares pictures of the software camera with stored ones. After an intended change, recreate
+ * them with {@code mvn test -Dtest=GoldenPicturesTest -Dupdate.golden=true}, and inspect them.
  */
 class GoldenPicturesTest {
 
   private static final Path FOLDER = Path.of("src/test/resources/pictures");
 
-  /** Rounding of another processor or Java is far better, a shifted or other texture far worse. */
+  /**
+   * Minimum similarity [dB]. Rounding differences on another processor or JDK result in a far
+   * higher value, a shifted or different texture in a far lower one.
+   */
   private static final double ALIKE_DB = 45;
 
+  /** Minimum number of corners. OpenCV's ORB finds about as many points in the same pictures. */
+  private static final int ENOUGH_CORNERS = 200;
+
   private enum Golden {
+    START_VIEW(false, new Pose(Vec3.ZERO, Attitude.LEVEL)),
     START(false, new Pose(new Vec3(-2, 0, 0), Attitude.LEVEL)),
     CORNER(false, new Pose(new Vec3(0, 0, 1.2), Attitude.ofHeading(0.9))),
     BACK(false, new Pose(new Vec3(1, 0.5, 1.8), Attitude.ofHeading(3.5))),
@@ -59,7 +70,22 @@ class GoldenPicturesTest {
     }
 
     Still take() {
-      return Still.of(FlyingSnapshots.flying(arena, drones), new CameraId(1, downward));
+      return Still.of(snapshot(), new CameraId(1, downward));
+    }
+
+    private SimSnapshot snapshot() {
+      return FlyingSnapshots.flying(arena, drones);
+    }
+
+    /** Returns the number of corners in a frame of the drone's full size. */
+    int corners() {
+      Picture picture = downward ? new Picture(320, 240) : new Picture(960, 720);
+      new SoftwareCameras(DroneOptics.DEFAULT)
+          .get()
+          .film(snapshot(), new CameraId(1, downward), picture);
+      int[] luma = new int[picture.y().length];
+      Arrays.setAll(luma, i -> ((picture.y()[i] & 255) - 16) * 255 / 219);
+      return new FastCorners(picture.width(), picture.height(), luma).count();
     }
   }
 
@@ -73,5 +99,14 @@ class GoldenPicturesTest {
     }
 
     assertThat(still.likeness(Still.read(golden.file()))).isGreaterThan(ALIKE_DB);
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void programsFindFeatures(Golden golden) {
+    int corners = golden.corners();
+    System.out.printf("corners in %s: %d%n", golden, corners);
+
+    assertThat(corners).isGreaterThanOrEqualTo(ENOUGH_CORNERS);
   }
 }

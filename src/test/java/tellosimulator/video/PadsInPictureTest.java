@@ -25,7 +25,7 @@ import tellosimulator.world.MissionPad;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Walls;
 
-/** What a drone's cameras see of mission pads. */
+/** Mission pads in the pictures of a drone's cameras. */
 class PadsInPictureTest {
 
   private static final Arena EMPTY = Arena.DEFAULT.withDecor(Decor.DEFAULT.withWalls(Walls.PLAIN));
@@ -52,13 +52,13 @@ class PadsInPictureTest {
     }
   }
 
-  /** In this picture the drone's nose is to the left, and its left side is below. */
+  /** In this picture the drone's nose is on the left, and its left side is at the bottom. */
   @ParameterizedTest
   @CsvSource({"0, 1, 0", "90, 0, -1", "180, -1, 0", "270, 0, 1"})
   void theFlameIsWhereTheRocketComesFrom(double rotationDeg, double right, double down) {
     int[] picture = below(MissionPad.onFloor(2, PLACE, Math.toRadians(rotationDeg)), 0.5);
 
-    // What is blue on the rocket is on average 3.5 cm behind the middle of the pad, most of it
+    // The blue part of the rocket is on average 3.5 cm behind the middle of the pad, most of it
     // flame, and the rocket is 4.8 cm right of it: 124 of 512 pixels of 20 cm.
     Vec3 blue = middle(picture, PadsInPictureTest::isBlue);
     assertThat(blue.x() * right + blue.y() * down).as("behind").isCloseTo(0.035, within(0.01));
@@ -97,17 +97,17 @@ class PadsInPictureTest {
     assertThat(blue.x()).as("and flies to the left").isGreaterThan(paper.x());
   }
 
-  /** The row that runs through the white margin at the edge of a pad under a drone at 0.5 m. */
+  /** The row through the white margin at the edge of a pad under a drone at 0.5 m. */
   private static int margin() {
     return (int) (HEIGHT / 2.0 + pixels(0.5) * (MissionPad.EDGE / 2 - 0.002));
   }
 
-  /** Pixels a metre, on the floor below the camera of a drone, 8 mm above its feet. */
+  /** Pixels per metre on the floor below the camera of a drone, 8 mm above its feet. */
   private static double pixels(double height) {
     return WIDTH / 2.0 / Math.tan(Math.toRadians(27.5)) / (height + 0.008);
   }
 
-  /** From right above a pad; the drone that flies there casts no shadow on it. */
+  /** Renders a pad from directly above; the drone that flies there casts no shadow on it. */
   private static int[] below(MissionPad pad, double height) {
     Pose above = new Pose(PLACE.withZ(height), Attitude.LEVEL);
     return picture(pad, DroneOptics.DEFAULT.below(above, WIDTH, HEIGHT));
@@ -134,7 +134,9 @@ class PadsInPictureTest {
             .count();
   }
 
-  /** The middle of all pixels of a kind, to the right and down from the picture's middle [m]. */
+  /**
+   * Returns the middle of the matching pixels, to the right and down from the picture's middle [m].
+   */
   private static Vec3 middle(int[] picture, IntPredicate kind) {
     Vec3 sum = Vec3.ZERO;
     int count = 0;
@@ -154,12 +156,12 @@ class PadsInPictureTest {
     return picture[y * WIDTH + x] & 0xffffff;
   }
 
-  /** As the second colour of pad 2. */
+  /** Matches the second colour of pad 2. */
   private static boolean isBlue(int rgb) {
     return (rgb & 255) > (rgb >> 16) + 60;
   }
 
-  /** Brighter than floor and walls. */
+  /** Matches pixels brighter than floor and walls. */
   private static boolean isPaper(int rgb) {
     return (rgb >> 16) > 240 && (rgb >> 8 & 255) > 240 && (rgb & 255) > 235;
   }

@@ -7,13 +7,13 @@ import java.net.InetSocketAddress;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
-import tellosimulator.command.Link;
+import tellosimulator.command.OperatorEndpoint;
 import tellosimulator.command.Peer;
 
 class ReachabilityTest {
 
-  private static final Link REMOTE = link("192.168.10.2");
-  private static final Link LOCAL = link("127.0.0.1");
+  private static final OperatorEndpoint REMOTE = link("192.168.10.2");
+  private static final OperatorEndpoint LOCAL = link("127.0.0.1");
 
   private static final long SECOND = 1_000_000_000;
   private static final long TENTH = SECOND / 10;
@@ -70,15 +70,15 @@ class ReachabilityTest {
     pass(1000 * SECOND);
 
     assertThat(reachability.rests(LOCAL)).isFalse();
-    assertThat(reachability.rests(new Link(Optional.empty(), 8890, 11111))).isFalse();
+    assertThat(reachability.rests(OperatorEndpoint.raw(Optional.empty(), 8890, 11111))).isFalse();
   }
 
   private void pass(long nanos) {
     clock.addAndGet(nanos);
   }
 
-  private static Link link(String host) {
+  private static OperatorEndpoint link(String host) {
     InetSocketAddress drone = address("192.168.10.1", 8889);
-    return new Link(Optional.of(new Peer(address(host, 40_000), drone)), 8890, 11111);
+    return OperatorEndpoint.raw(Optional.of(new Peer(address(host, 40_000), drone)), 8890, 11111);
   }
 }

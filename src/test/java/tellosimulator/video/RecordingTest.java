@@ -73,7 +73,7 @@ class RecordingTest {
       film(64, 48, 100 + i, i % 25 == 0);
     }
 
-    // A program that is killed leaves what it has written, and perhaps a part of the next fragment.
+    // A killed program leaves what it has written, and perhaps a part of the next fragment.
     Path killed = Files.copy(file, folder.resolve("killed.mp4"));
     byte[] whole = Files.readAllBytes(killed);
     assertThat(brightnessByFfmpeg(killed)).hasSize(78).last().isEqualTo(177);
@@ -93,18 +93,18 @@ class RecordingTest {
     recording.close();
     byte[] closed = Files.readAllBytes(file);
     byte[] header = Files.readAllBytes(fragments);
-    // The movie at the end was written, but not the 16 bytes that make the fragments its data.
+    // The movie box at the end was written, but not the 16 bytes that make the fragments its data.
     System.arraycopy(header, 0, closed, 0, 100);
     Path between = Files.write(folder.resolve("between.mp4"), closed);
 
     assertThat(brightnessByFfmpeg(between)).hasSize(30);
   }
 
-  /** The brightness of each picture, rounded, as a decoder reads it that is not ours. */
+  /** Returns the rounded luma of each picture, decoded by an independent decoder. */
   private List<Integer> brightnessByFfmpeg(Path film) throws IOException, InterruptedException {
     Ffmpeg.Decoded decoded = Ffmpeg.decodeFile(film, 64 * 48, folder);
     return decoded.pictures().stream()
-        .map(picture -> (picture[0] & 0xff) * 219.0 / 255 + 16) // it says black as 0, not as 16
+        .map(picture -> (picture[0] & 0xff) * 219.0 / 255 + 16) // its black is 0, not 16
         .map(level -> (int) Math.round(level))
         .toList();
   }

@@ -13,10 +13,10 @@ import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.picture.Picture;
 
-/** A picture that the first drone takes, and questions about it. */
+/** A picture from the first drone, and queries about it. */
 final class Still {
 
-  /** Half as wide and high as the drone's. */
+  /** Half the width and height of the drone's video. */
   static final int WIDTH = DroneOptics.WIDTH / 2;
 
   static final int HEIGHT = DroneOptics.HEIGHT / 2;
@@ -29,7 +29,7 @@ final class Still {
     this.image = image;
   }
 
-  /** Through the camera in the nose. */
+  /** Renders the forward camera. */
   static Still ahead(SimSnapshot snapshot) {
     return of(snapshot, new CameraId(1, false));
   }
@@ -52,12 +52,12 @@ final class Still {
     ImageIO.write(image, "png", file.toFile());
   }
 
-  /** Packed red, green and blue. */
+  /** Returns packed red, green and blue. */
   int rgb(int x, int y) {
     return image.getRGB(x, y) & 0xffffff;
   }
 
-  /** The mean column of the pixels of a kind; not a number if there is none. */
+  /** Returns the mean column of the matching pixels; NaN if there are none. */
   double column(IntPredicate ofRgb) {
     double sum = 0;
     int count = 0;
@@ -72,7 +72,7 @@ final class Still {
     return sum / count;
   }
 
-  /** The first row of a column from above with a pixel of a kind; the height if there is none. */
+  /** Returns the topmost row in a column with a matching pixel; the height if there is none. */
   int firstRow(int column, IntPredicate ofRgb) {
     for (int y = 0; y < HEIGHT; y++) {
       if (ofRgb.test(rgb(column, y))) {
@@ -82,7 +82,7 @@ final class Still {
     return HEIGHT;
   }
 
-  /** Peak signal to noise, all channels [dB]. */
+  /** Returns the peak signal-to-noise ratio of all channels [dB]. */
   double likeness(Still other) {
     double squares = 0;
     for (int y = 0; y < HEIGHT; y++) {
@@ -96,7 +96,7 @@ final class Still {
     return 10 * Math.log10(255.0 * 255 * 3 * WIDTH * HEIGHT / squares);
   }
 
-  /** As decoders show it, by ITU-R BT.601. */
+  /** Converts to RGB by ITU-R BT.601, as decoders do. */
   private static BufferedImage image(Picture picture) {
     BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
     for (int y = 0; y < HEIGHT; y++) {

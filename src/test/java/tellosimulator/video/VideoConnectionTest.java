@@ -18,7 +18,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import tellosimulator.command.Link;
+import tellosimulator.command.OperatorEndpoint;
+import tellosimulator.command.Packetizer;
 import tellosimulator.command.Peer;
 import tellosimulator.network.DatagramPort;
 import tellosimulator.time.Ticker;
@@ -26,7 +27,7 @@ import tellosimulator.video.VideoConnection.Route;
 
 class VideoConnectionTest {
 
-  /** An address of this machine that no other test's drone has. */
+  /** An address of this machine that is used by no other test's drone. */
   private static final String DRONE = "127.0.7.9";
 
   private static final List<byte[]> TEN = Collections.nCopies(10, new byte[] {0, 0, 0, 1, 1});
@@ -53,7 +54,8 @@ class VideoConnectionTest {
         new Peer(
             new InetSocketAddress(loopback, 5000),
             new InetSocketAddress(InetAddress.getByName(drone), 8889));
-    return Route.of(new Link(Optional.of(operator), 8890, receiver.port())).orElseThrow();
+    return Route.of(OperatorEndpoint.raw(Optional.of(operator), 8890, receiver.port()))
+        .orElseThrow();
   }
 
   @Test
@@ -89,11 +91,11 @@ class VideoConnectionTest {
     }
   }
 
-  /** A machine whose answer to the first datagram of a try is that nothing receives there. */
+  /** A machine reports its port as unreachable after the first datagram of each try. */
   @Test
   void whereNothingReceivesOneDatagramIsATryAndThenAWholePictureGoes() throws IOException {
     InetSocketAddress remote = new InetSocketAddress("192.0.2.7", 11_111);
-    Route route = new Route(InetAddress.getLoopbackAddress(), remote);
+    Route route = new Route(InetAddress.getLoopbackAddress(), remote, Packetizer.RAW);
     AtomicInteger told = new AtomicInteger();
     List<byte[]> sent = new ArrayList<>();
     AtomicBoolean receives = new AtomicBoolean();

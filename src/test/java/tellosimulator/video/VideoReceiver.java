@@ -14,13 +14,13 @@ import java.util.List;
 import org.jcodec.codecs.h264.H264Decoder;
 import org.jcodec.common.model.Picture;
 
-/** What an operator program does with video: takes datagrams, puts them together and decodes. */
+/** The video part of an operator program: receives datagrams, reassembles and decodes them. */
 public final class VideoReceiver implements AutoCloseable {
 
-  /** Longest time until the next datagram [ms]. */
+  /** Maximum time until the next datagram [ms]. */
   private static final int PATIENCE_MS = 60_000;
 
-  /** A datagram's length by which a client knows that the NAL unit goes on. */
+  /** Length of a datagram after which a NAL unit continues. */
   private static final int FULL = 1460;
 
   public static final int IDR = 5;
@@ -54,7 +54,7 @@ public final class VideoReceiver implements AutoCloseable {
     return socket.getLocalPort();
   }
 
-  /** Where the latest datagram came from. */
+  /** The source of the latest datagram. */
   InetSocketAddress sender() {
     return sender;
   }
@@ -64,7 +64,7 @@ public final class VideoReceiver implements AutoCloseable {
     return List.copyOf(lengths);
   }
 
-  /** The next NAL unit with its start code. */
+  /** Returns the next NAL unit with its start code. */
   public byte[] unit() throws IOException {
     ByteArrayOutputStream unit = new ByteArrayOutputStream();
     byte[] packet;
@@ -76,9 +76,9 @@ public final class VideoReceiver implements AutoCloseable {
   }
 
   /**
-   * Takes what is on its way, until for as long as ten pictures nothing comes.
+   * Receives pending datagrams until none arrives for the duration of ten pictures.
    *
-   * @return whether that happens; false if the stream goes on
+   * @return whether that happens; false if the stream continues
    */
   public boolean fallsSilent() throws IOException {
     socket.setSoTimeout(333);
@@ -94,12 +94,12 @@ public final class VideoReceiver implements AutoCloseable {
     }
   }
 
-  /** What kind of NAL unit it is. */
+  /** Returns the type of a NAL unit. */
   public static int type(byte[] unit) {
     return unit[4] & 0x1f;
   }
 
-  /** Leaves out everything before the next sequence parameters, which it returns. */
+  /** Skips everything before the next sequence parameter set, and returns the set. */
   public byte[] nextSps() throws IOException {
     byte[] unit = unit();
     while (type(unit) != SPS) {
@@ -108,7 +108,7 @@ public final class VideoReceiver implements AutoCloseable {
     return unit;
   }
 
-  /** Decodes the next picture that is complete: with its parameters if it has some. */
+  /** Decodes the next complete picture, with its parameter sets if it has some. */
   Picture picture() throws IOException {
     ByteArrayOutputStream access = new ByteArrayOutputStream();
     byte[] unit = unit();
@@ -120,7 +120,7 @@ public final class VideoReceiver implements AutoCloseable {
     return decode(access.toByteArray());
   }
 
-  /** Decodes pictures until one begins anew, which it returns. */
+  /** Decodes pictures until a key picture, and returns it. */
   Picture keyPicture() throws IOException {
     ByteArrayOutputStream access = new ByteArrayOutputStream();
     access.writeBytes(nextSps());

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.fault.Fault;
 import tellosimulator.math.Attitude;
@@ -33,7 +34,7 @@ import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
 
-/** Which pictures a stream takes, and what becomes of it if they fail. */
+/** The pictures that a stream renders, and its reaction to failures. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class VideoStreamTest {
 
@@ -44,8 +45,7 @@ class VideoStreamTest {
 
   private static final SimConfig CONFIG = SimConfig.DEFAULT.withStreamPorts(new StreamPorts(9, 9));
 
-  private final Simulation simulation =
-      new Simulation(CONFIG, drone -> (peer, text) -> {}, report -> {}, List.of());
+  private final Simulation simulation = new Simulation(CONFIG, drone -> datagram -> {}, List.of());
   private final AtomicReference<Error> failure = new AtomicReference<>();
   private final BlockingQueue<String> filmed = new LinkedBlockingQueue<>();
   private final AtomicReference<CameraView> view = new AtomicReference<>(view(0));
@@ -53,9 +53,9 @@ class VideoStreamTest {
   private final Semaphore looks = new Semaphore(0);
   private final CapturedLog log = CapturedLog.of(ErrorPolicy.class);
   private final VideoStream stream =
-      new VideoStream(1, this::look, () -> new Film(1, source(), H264Encoder::new));
+      new VideoStream(1, this::look, () -> new FramePipeline(1, source(), H264Encoder::new));
 
-  /** What is seen by a drone at some height [m]. */
+  /** Returns the view of a drone at some height [m]. */
   private static CameraView view(double height) {
     Pose pose = new Pose(new Vec3(0, 0, height), Attitude.LEVEL);
     return new CameraView(Scene.of(List.of()), pose, false);
@@ -193,7 +193,7 @@ class VideoStreamTest {
     assertThat(filmed.take()).isEqualTo("picture");
 
     looks.drainPermits();
-    looks.acquire(6); // some ticks, at which an encoded stream would have pictures
+    looks.acquire(6); // some ticks, in which an encoded stream would have pictures
 
     assertThat(filmed).isEmpty();
     view.set(view(1));
@@ -234,16 +234,16 @@ class VideoStreamTest {
     switchOn();
     tell("streamon");
     while (!seen.take().equals("key")) {
-      // taken before it was asked for
+      // rendered before it was requested
     }
     assertThat(seen.take()).isEqualTo("predicted");
 
-    simulation.control(new Control.Restart(CONFIG));
+    simulation.control(new Control.NewRun(CONFIG));
     simulation.drain();
     stream.restart();
     simulation.control(new Control.Power(1, true));
-    simulation.submit(1, OPERATOR, "command");
-    simulation.submit(1, OPERATOR, "streamon");
+    simulation.submit(1, OPERATOR, WireText.encode("command"));
+    simulation.submit(1, OPERATOR, WireText.encode("streamon"));
     simulation.drain();
     seen.clear();
 
@@ -266,7 +266,7 @@ class VideoStreamTest {
     }
   }
 
-  /** Lets it look twice, so that at least one look is later than this. */
+  /** Lets the stream check twice, so that at least one check is later than this call. */
   private void lookAgain() throws InterruptedException {
     for (int i = 0; i < 2; i++) {
       looks.drainPermits();
@@ -282,7 +282,7 @@ class VideoStreamTest {
   }
 
   private void tell(String text) {
-    simulation.submit(1, OPERATOR, text);
+    simulation.submit(1, OPERATOR, WireText.encode(text));
     simulation.drain();
     stream.wake();
   }

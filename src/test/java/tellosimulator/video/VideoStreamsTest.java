@@ -25,7 +25,7 @@ import tellosimulator.testing.CapturedLog;
 @Tag("slow")
 class VideoStreamsTest {
 
-  /** What encoding may change of a brightness. */
+  /** Maximum change of luma by encoding. */
   private static final int CLOSE = 3;
 
   private VideoReceiver receiver;
@@ -199,7 +199,7 @@ class VideoStreamsTest {
                 throw new IllegalStateException("broken on purpose");
               });
 
-      assertThat(log.next()).startsWith("Who looks at the video failed; please report this: ");
+      assertThat(log.next()).startsWith("A receiver of the video failed; please report this: ");
       assertThat(brightness(receiver.keyPicture())).isCloseTo(FilmedDrones.FIRST, within(CLOSE));
       assertThat(brightness(receiver.keyPicture())).isCloseTo(FilmedDrones.FIRST, within(CLOSE));
     }
@@ -212,7 +212,7 @@ class VideoStreamsTest {
       drones.streams().stream(1).watch(seen::add);
 
       FilmedPicture picture = seen.poll(10, TimeUnit.SECONDS);
-      while (picture.encoded().isEmpty()) { // taken before the snapshot knew of `streamon`
+      while (picture.encoded().isEmpty()) { // rendered before the snapshot included `streamon`
         picture = seen.poll(10, TimeUnit.SECONDS);
       }
       assertThat(picture.picture().y()[0]).isEqualTo((byte) FilmedDrones.FIRST);
@@ -246,7 +246,7 @@ class VideoStreamsTest {
     return List.of(picture.getWidth(), picture.getHeight());
   }
 
-  /** Mean of the upper third, which the camera that looks down fills too. */
+  /** Returns the mean luma of the upper third, which the downward camera fills, too. */
   private static int brightness(Picture picture) {
     int pixels = picture.getWidth() * (picture.getHeight() / 3);
     long sum = 0;

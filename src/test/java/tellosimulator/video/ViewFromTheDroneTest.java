@@ -22,18 +22,20 @@ import tellosimulator.world.Poster;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Walls;
 
-/** Whether what is in the room is where and as it should be in a drone's pictures. */
+/** The positions and colours of a room's content in a drone's pictures. */
 class ViewFromTheDroneTest {
 
   private static final Decor PLAIN = Decor.DEFAULT.withWalls(Walls.PLAIN);
 
-  /** In the middle of the room, 1.2 m high, nose towards the front wall. */
+  /** The middle of the room, 1.2 m high; the nose points to the front wall. */
   private static final Vec3 MIDDLE = new Vec3(0, 0, 1.2);
 
-  /** Pixels times metres per metre: half a picture is tan(55 degrees / 2) = 0.5206 wide at 1 m. */
+  /** Focal length [pixels]: half a picture is tan(55 degrees / 2) = 0.5206 wide at 1 m. */
   private static final double FOCAL_LENGTH = Still.WIDTH / 2 / Math.tan(Math.toRadians(27.5));
 
-  /** A column so near to both edges of a picture that no number of the floor is in it. */
+  /**
+   * Distance from the left or right edge of a column that contains no number of the floor [pixels].
+   */
   private static final int EDGE = 6;
 
   @TempDir private Path folder;
@@ -64,7 +66,7 @@ class ViewFromTheDroneTest {
     double after = redColumn(at(MIDDLE, -10), 0);
 
     // The tilt of the camera makes the distance along its axis cos 15 degrees of that to the wall,
-    // plus what it gains by the poster being level with it: tan 10 / cos 15 = 0.1825.
+    // plus an effect of the poster being level with it: tan 10 / cos 15 = 0.1825.
     assertThat(before).isCloseTo(Still.WIDTH / 2.0, within(1.0));
     assertThat(after - before).isCloseTo(-0.1825 * FOCAL_LENGTH, within(3.0));
   }
@@ -84,7 +86,7 @@ class ViewFromTheDroneTest {
     int[] pitched = floorAtLeftMiddleAndRight(turned(2, 5));
 
     assertThat(level[0]).isCloseTo(level[2], within(1));
-    // Right side down: what is level rises to the right by tan 10 degrees.
+    // Right side down: level lines rise to the right by tan 10 degrees.
     assertThat(rolled[0] - rolled[2])
         .isCloseTo((int) ((Still.WIDTH - 2 * EDGE) * 0.176), within(6));
     // Nose down by 5 degrees of 9.7 f: near the axis that is tan 5 degrees times f = 40 pixels.
@@ -119,7 +121,7 @@ class ViewFromTheDroneTest {
     return count;
   }
 
-  /** Where the floor begins below the front wall. */
+  /** Returns the rows at which the floor begins below the front wall. */
   private static int[] floorAtLeftMiddleAndRight(Attitude attitude) {
     Still still = Still.ahead(FlyingSnapshots.flying(PLAIN, new Pose(MIDDLE, attitude)));
     int floor = still.rgb(Still.WIDTH / 2, Still.HEIGHT - 20);
@@ -151,7 +153,7 @@ class ViewFromTheDroneTest {
     return new Pose(place, Attitude.ofHeading(Math.toRadians(headingDeg)));
   }
 
-  /** Turned around the body's x (1) or y axis (2). */
+  /** Returns an attitude turned around the body's x (1) or y axis (2). */
   private static Attitude turned(int axis, double angleDeg) {
     double half = Math.toRadians(angleDeg) / 2;
     double sine = Math.sin(half);

@@ -4,11 +4,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A reply that must come.
+ * An expected reply.
  *
- * @param text what it says, or a regular expression between slashes
- * @param when at once, when the motion is over, or within a span of time
- * @param to the name of the client that gets it; empty for the one that asked
+ * @param text its content, or a regular expression between slashes
+ * @param when at once, when the motion is complete, or within a time span
+ * @param to the name of the client that gets it; empty for the sender of the command
  */
 record ExpectedReply(ExpectedText text, When when, String to) {
 
@@ -17,13 +17,13 @@ record ExpectedReply(ExpectedText text, When when, String to) {
           "(?<text>.*?) @(?<when>now|late|(?<least>[0-9.]+)\\.\\.(?<most>[0-9.]+))"
               + "( to (?<to>\\w+))?");
 
-  /** Motion takes at least this long [s]. */
+  /** Shortest duration of a motion [s]. */
   private static final double SHORTEST_MOTION = 0.5;
 
   private static final double LONGEST_MOTION = 25;
 
   /**
-   * The span of time in which it must come.
+   * The time span in which it must arrive.
    *
    * @param word as in the table
    * @param least after the command [s]
@@ -35,7 +35,7 @@ record ExpectedReply(ExpectedText text, When when, String to) {
       return word.equals("now");
     }
 
-    /** Whether the drone must stand still when it comes. */
+    /** Returns whether the drone must stand still when it arrives. */
     boolean whenMotionIsOver() {
       return word.equals("late");
     }

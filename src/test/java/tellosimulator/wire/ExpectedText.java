@@ -5,9 +5,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What a text must be: exactly this, or anything that a pattern fits.
+ * An expected text: an exact text, or any match of a pattern.
  *
- * @param pattern fits the whole text
+ * @param pattern matches the whole text
  * @param notation as in the table
  */
 record ExpectedText(Pattern pattern, String notation) {
@@ -15,7 +15,7 @@ record ExpectedText(Pattern pattern, String notation) {
   private static final Pattern REPEATED = Pattern.compile("\\{(.)\\*(\\d+)\\}");
   private static final Pattern ESCAPED = Pattern.compile("\\\\([rn0s]|x([0-9a-f]{2}))");
 
-  /** Of a text, or of a regular expression between slashes. */
+  /** Parses a text, or a regular expression between slashes. */
   static ExpectedText of(String notation) {
     boolean regular = notation.length() > 1 && notation.startsWith("/") && notation.endsWith("/");
     String expression =
@@ -28,8 +28,8 @@ record ExpectedText(Pattern pattern, String notation) {
   }
 
   /**
-   * What a cell stands for: {@code \r \n \0 \s \xNN} for single bytes, {@code {a*9}} for nine of
-   * them.
+   * Replaces the notations of a cell: {@code \r \n \0 \s \xNN} for single bytes, {@code {a*9}} for
+   * nine of them.
    */
   static String bytes(String notation) {
     String repeated =

@@ -2,7 +2,7 @@ package tellosimulator.wire;
 
 import java.util.List;
 
-/** Every known fact about the text interface, and whether there is something to show of it. */
+/** Every known fact about the text interface, and whether the tables show it. */
 final class FactIndex {
 
   private static final String ELSEWHERE = "elsewhere: ";
@@ -11,9 +11,9 @@ final class FactIndex {
   /**
    * A fact.
    *
-   * @param id what rows call it
+   * @param id its name in the rows
    * @param summary a few words
-   * @param status empty if rows show it, or why none do
+   * @param status empty if rows show it, otherwise the reason why none does
    */
   record Fact(String id, String summary, String status) {
 
@@ -21,17 +21,17 @@ final class FactIndex {
       return status.isEmpty();
     }
 
-    /** Whether there is nothing to see of it on the simulator's wire. */
+    /** Returns whether it has no effect on the simulator's wire. */
     boolean elsewhere() {
       return status.startsWith(ELSEWHERE);
     }
 
-    /** Whether the simulator ought to do it and does not. */
+    /** Returns whether it applies to the simulator but is not implemented. */
     boolean missing() {
       return status.startsWith(MISSING);
     }
 
-    /** Why no row shows it. */
+    /** Returns the reason why no row shows it. */
     String reason() {
       return status.substring(status.indexOf(' ') + 1);
     }

@@ -10,7 +10,7 @@ import tellosimulator.wire.FactIndex.Fact;
 
 class FactIndexTest {
 
-  /** Decided: so many facts may be left out, if `docs/protocol.md` says why. */
+  /** Decided: at most this many facts may be missing, with reasons in `docs/protocol.md`. */
   private static final int MOST_MISSING = 5;
 
   private final List<Fact> facts = FactIndex.facts();

@@ -11,17 +11,18 @@ import tellosimulator.profile.Sdk;
 import tellosimulator.testing.GeneratedPage;
 import tellosimulator.wire.FactIndex.Fact;
 
-/** The page on the text interface, made of a template, the table of commands and the facts. */
+/**
+ * Generates the page on the text interface from a template, the table of commands and the facts.
+ */
 final class ProtocolPage {
 
-  /** The page. */
   static final GeneratedPage PAGE = new GeneratedPage("protocol");
 
   private static final String BOARD = "EXT ";
 
   private ProtocolPage() {}
 
-  /** What the page must say. */
+  /** Returns the expected text of the page. */
   static String text() {
     return PAGE.template()
         .replace("{{commands}}", commands())

@@ -15,7 +15,7 @@ import tellosimulator.model.DroneState;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.testing.SteppedDrone;
 
-/** What a table can say of the drone's state: a name and a value. */
+/** Checks the drone's state against the names and values of a table. */
 final class StateChecks {
 
   private static final Pattern NUMBER =
@@ -50,7 +50,9 @@ final class StateChecks {
     checks.put("event", this::event);
   }
 
-  /** The command is about to be sent: what is called flown, turned and new counts from here. */
+  /**
+   * Called before a command is sent; the values flown, turned and new are relative to this time.
+   */
   void begin() {
     position = position();
     yawDeg = yaw();
@@ -96,7 +98,7 @@ final class StateChecks {
     return lines.get(lines.size() - 1);
   }
 
-  /** One of the events since the command. */
+  /** Checks one of the events since the command. */
   private void event(String expected) {
     List<String> words =
         drone.events().subList(events, drone.events().size()).stream()
@@ -111,12 +113,12 @@ final class StateChecks {
     return drone.state().motion().position();
   }
 
-  /** Since the command, seen along the nose as it was then [m]. */
+  /** Returns the displacement since the command, in the frame of the drone at that time [m]. */
   private Vec3 flown() {
     return position().minus(position).turned(-Frames.headingOfYaw(yawDeg));
   }
 
-  /** Clockwise [degrees]. */
+  /** Returns the yaw, clockwise [degrees]. */
   private double yaw() {
     DroneState state = drone.state();
     return Frames.yawOfHeading(state.motion().attitude().heading());

@@ -5,17 +5,17 @@ import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 
 /**
- * A row of the table: what is sent in which situation to which drone, and what must come of it.
+ * A row of the table: an input in a situation of a drone, and its expected effects.
  *
  * @param place file and line
  * @param fact the id of the fact that it shows, see {@link FactIndex}
  * @param profile the drone's
  * @param behavior the drone's
  * @param before steps that lead to the situation
- * @param input what is sent
- * @param replies what must come back, in this order, and nothing else
- * @param afterwards steps and checks when the last reply has come
- * @param source where the fact is known from
+ * @param input the datagram
+ * @param replies all replies that must arrive, in this order
+ * @param afterwards steps and checks after the last reply
+ * @param source where the fact is documented
  */
 record WireRow(
     String place,
@@ -28,7 +28,7 @@ record WireRow(
     List<String> afterwards,
     String source) {
 
-  /** For the report of the tests. */
+  /** Returns the title in the test report. */
   String title() {
     return "%s: `%s`, %s, %s (%s)"
         .formatted(fact, input, profile.option(), behavior.option(), place);

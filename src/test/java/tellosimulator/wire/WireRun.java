@@ -15,26 +15,26 @@ import tellosimulator.testing.SteppedDrone.Sent;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Room;
 
-/** Carries out one row of the table. */
+/** Executes one row of the table. */
 final class WireRun {
 
-  /** The clients of the table by their name. A2 is another program on the host of A. */
+  /** The clients of the table by their names. A2 is another program on the host of A. */
   static final Map<String, InetSocketAddress> CLIENTS =
       Map.of(
           "A", SteppedDrone.CLIENT,
           "A2", SteppedDrone.address("192.168.10.2", 38065),
           "B", SteppedDrone.address("192.168.10.3", 9000));
 
-  /** How long nothing more may come at the end [s]; longer than the second answer to `stop`. */
+  /** Time at the end without further replies [s]; longer than the second reply to `stop` takes. */
   private static final double QUIET = 3;
 
   private final WireRow row;
   private final SteppedDrone drone;
   private final StateChecks checks;
 
-  /** Replies that were expected and came. */
   private final List<MissionPad> pads = new ArrayList<>();
 
+  /** Number of expected replies that have arrived. */
   private int seen;
 
   WireRun(WireRow row) {
@@ -81,7 +81,7 @@ final class WireRun {
     }
   }
 
-  /** A step, a check, or a command; the notation is explained beside the tables. */
+  /** Executes a step, a check, or a command; the notation is explained beside the tables. */
   private void step(String step) {
     if (step.startsWith("@")) {
       control(Arrays.asList(step.substring(1).split(" ", -1)));
@@ -148,7 +148,7 @@ final class WireRun {
     }
   }
 
-  /** Number, x, y and heading of one more mission pad, in cm and degrees. */
+  /** Adds a mission pad, given by number, x, y and heading, in cm and degrees. */
   private void lay(List<String> words) {
     Vec3 place =
         new Vec3(Double.parseDouble(words.get(2)) / 100, Double.parseDouble(words.get(3)) / 100, 0);
@@ -162,7 +162,7 @@ final class WireRun {
 
   private record Message(InetSocketAddress from, String text) {}
 
-  /** {@code B> takeoff} comes from client B, {@code takeoff} from A. */
+  /** Parses a message: {@code B> takeoff} comes from client B, {@code takeoff} from A. */
   private static Message message(String notation) {
     int mark = notation.indexOf("> ");
     InetSocketAddress from = mark < 0 ? null : CLIENTS.get(notation.substring(0, mark));

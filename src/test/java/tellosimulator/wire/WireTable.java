@@ -12,17 +12,20 @@ import java.util.stream.Stream;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 
-/** Reads the tables of rows: one row a line, cells between bars. */
+/** Reads the tables: one row per line, cells between bars. */
 final class WireTable {
 
-  /** Where the tables are. */
+  /** The folder of the tables. */
   static final Path DIRECTORY = Path.of("src/test/resources/wire");
 
   private static final int CELLS = 8;
 
   private WireTable() {}
 
-  /** All rows of all tables; one row of a file for each profile and behaviour that it names. */
+  /**
+   * Returns all rows of all tables; a line gives a row for each profile and behaviour that it
+   * names.
+   */
   static List<WireRow> rows() {
     List<WireRow> rows = new ArrayList<>();
     for (Path file : tables()) {
@@ -36,7 +39,7 @@ final class WireTable {
     return rows;
   }
 
-  /** The lines of a text file, with an error that names it. */
+  /** Returns the lines of a text file; an error names the file. */
   static List<String> lines(Path file) {
     try {
       return Files.readAllLines(file);
@@ -45,12 +48,12 @@ final class WireTable {
     }
   }
 
-  /** What stands between bars. */
+  /** Returns the texts between bars. */
   static List<String> cells(String line) {
     return Arrays.stream(line.split("\\|", -1)).map(String::strip).toList();
   }
 
-  /** What stands between separators, without blanks around it and without empty parts. */
+  /** Returns the texts between separators, trimmed, without empty parts. */
   static List<String> parts(String cell, String separator) {
     return Arrays.stream(cell.split(separator, -1))
         .map(String::strip)
@@ -97,7 +100,7 @@ final class WireTable {
     return rows;
   }
 
-  /** {@code all}, or the constants that are named, in small letters. */
+  /** Parses {@code all}, or a list of constants in lower case. */
   private static <T extends Enum<T>> List<T> chosen(String place, String cell, T[] constants) {
     if (cell.equals("all")) {
       return List.of(constants);

@@ -13,7 +13,7 @@ import tellosimulator.command.CommandSyntax;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 
-/** Every fact about the text interface, row by row. */
+/** Tests every fact about the text interface, row by row. */
 class WireTest {
 
   private final List<WireRow> rows = WireTable.rows();

@@ -19,7 +19,7 @@ class SpellingTest {
     "take off, takeoff", // the blank counts as a hyphen, which is one letter too many
     "TAKEOFF, takeoff",
     "foward, forward",
-    "fowrard, forward", // two neighbours that changed places are one slip
+    "fowrard, forward", // two transposed letters are one slip
     "time_factor, time-factor",
     "lnad, land",
     "pu, up", // of two letters one may be wrong

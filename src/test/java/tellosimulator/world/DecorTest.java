@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class DecorTest {
@@ -25,6 +27,20 @@ class DecorTest {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> new Poster(Surface.FRONT_WALL, 0, 1, width, "a.png"))
         .withMessage("poster is " + width + " m wide, but must be from 0.01 to 200.0");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "cat.png, cat",
+    "/home/me/cat.of.mine.jpeg, cat.of.mine",
+    "C:\\pictures\\cat.png, cat",
+    "cat, cat",
+    ".png, .png"
+  })
+  void aPosterIsCalledAfterItsFileUnlessItHasAName(String file, String name) {
+    assertThat(new Poster(Surface.FLOOR, 0, 0, 1, file).name()).isEqualTo(name);
+    assertThat(new Poster(Surface.FLOOR, 0, 0, 1, file, Optional.of("dog")).name())
+        .isEqualTo("dog");
   }
 
   @Test

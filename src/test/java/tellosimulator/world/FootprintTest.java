@@ -9,7 +9,7 @@ import tellosimulator.math.Vec3;
 /** In the default room: 5 m by 5 m, 3 m high. */
 class FootprintTest {
 
-  /** A board of 0.2 m by 1 m: turned by 90°, half of its width reaches along x. */
+  /** A board of 0.2 m by 1 m: turned by 90°, half of its width extends along x. */
   @ParameterizedTest
   @CsvSource({
     "2.4,    0,   0, true",

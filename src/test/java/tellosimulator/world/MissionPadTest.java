@@ -23,7 +23,7 @@ class MissionPadTest {
     assertNear(pose.attitude().toRoom(Vec3.UP), Vec3.UP);
   }
 
-  /** The room is 6 m deep along x and 4 m wide along y; right is as one sees it from inside. */
+  /** The room is 6 m deep along x and 4 m wide along y; right is as seen from inside. */
   @ParameterizedTest
   @CsvSource({
     "FRONT_WALL, 3, -0.5, -1, 0",

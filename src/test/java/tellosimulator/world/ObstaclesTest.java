@@ -2,6 +2,7 @@ package tellosimulator.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.util.List;
 import java.util.Optional;
@@ -9,7 +10,9 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.math.Vec3;
 
@@ -202,7 +205,7 @@ class ObstaclesTest {
   void aRayHitsACylinderWhereItIsRound() {
     Obstacles pillar = obstacles(new Shape.Cylinder(0.5, 2), new Vec3(3, 0, 0), 0);
 
-    // 0.3 m beside the axis the surface is 0.4 m before it: 0.5² = 0.3² + 0.4²
+    // 0.3 m beside the axis the surface is 0.4 m in front of it: 0.5² = 0.3² + 0.4²
     assertThat(pillar.distance(new Vec3(0, 0.3, 1), new Vec3(1, 0, 0), 9))
         .isCloseTo(2.6, within(1e-12));
   }
@@ -227,7 +230,7 @@ class ObstaclesTest {
     }
   }
 
-  /** The index and each obstacle alone say the same, as the plan asks the latter. */
+  /** The index agrees with a test of each obstacle alone, which the plan uses. */
   @Test
   void aBodyIsInAnObstacleExactlyIfTheIndexFindsIt() {
     SplittableRandom random = new SplittableRandom(4);
@@ -250,6 +253,45 @@ class ObstaclesTest {
       }
       assertThat(found).isBetween(10, 990);
     }
+  }
+
+  /** A ring of 1 m opening, upright along y, whose tube is 10 cm thick, with a post. */
+  private static final Shape RING = new Shape.Ring(0.5, 0.1, 1);
+
+  private static List<Arguments> pairs() {
+    Shape cube = new Shape.Box(1, 1, 1);
+    Shape pole = new Shape.Cylinder(0.5, 2);
+    return List.of(
+        arguments(cube, new Vec3(1, 0, 0), 0.0, cube, false), // side by side
+        arguments(cube, new Vec3(0.99, 0, 0), 0.0, cube, true),
+        arguments(cube, new Vec3(1.2, 0, 0), Math.PI / 4, cube, true), // its corner reaches 0.707
+        arguments(cube, new Vec3(1.21, 0, 0), Math.PI / 4, cube, false),
+        arguments(cube, new Vec3(0, 0, 1), 0.3, cube, false), // on top
+        arguments(cube, new Vec3(0.86, 0.86, 0), 0.0, pole, false), // 0.51 from the corner
+        arguments(cube, new Vec3(0.84, 0.84, 0), 0.0, pole, true), // 0.48 from the corner
+        arguments(pole, new Vec3(0.99, 0, 0), 0.0, pole, true),
+        arguments(pole, new Vec3(1, 0, 0), 0.0, pole, false),
+        arguments(new Shape.Box(0.4, 0.4, 0.4), new Vec3(0, 0, -0.8), 0.0, RING, false), // within
+        arguments(new Shape.Box(0.4, 1.2, 0.4), new Vec3(0, 0, -0.8), 0.0, RING, true),
+        arguments(new Shape.Box(0.2, 0.2, 0.3), Vec3.ZERO, 0.0, RING, true), // at its post
+        arguments(new Shape.Box(0.2, 0.2, 0.3), new Vec3(0.3, 0, 0), 0.0, RING, false),
+        arguments(RING, new Vec3(0, 0.3, 0), 0.0, RING, true),
+        arguments(RING, new Vec3(0.2, 0, 0), 0.0, RING, false)); // one behind the other
+  }
+
+  @ParameterizedTest
+  @MethodSource("pairs")
+  void obstaclesOverlapIfTheyShareMoreThanASurface(
+      Shape first, Vec3 offset, double heading, Shape second, boolean overlap) {
+    Obstacle one = thing(first, new Vec3(0.3, -0.2, 1.5), 0);
+    Obstacle other = thing(second, one.foot().plus(offset), heading);
+    Obstacles both =
+        Obstacles.of(
+            Arena.empty(new Room(8, 8, 6), Decor.DEFAULT).withObstacles(List.of(one, other)));
+
+    assertThat(both.overlapping(one, any -> true).isPresent()).isEqualTo(overlap);
+    assertThat(both.overlapping(other, any -> true).isPresent()).isEqualTo(overlap);
+    assertThat(both.overlapping(other, any -> false)).isEmpty();
   }
 
   @Test

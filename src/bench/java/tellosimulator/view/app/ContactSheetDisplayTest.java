@@ -25,8 +25,8 @@ import tellosimulator.view.layout.Theme;
 import tellosimulator.view.testing.NeedsDisplay;
 
 /**
- * Looks at all scenarios of the program as the window opens them, light and dark. With {@code
- * -Dupdate.docs=true} it writes the sheet of all pictures anew:
+ * Opens all scenarios of the program in the window, in the light and the dark theme. With {@code
+ * -Dupdate.docs=true} it writes the sheet of all pictures:
  *
  * <pre>{@code mvn -Pbench test -Dtest=ContactSheetDisplayTest -Dupdate.docs=true}</pre>
  */
@@ -36,21 +36,21 @@ class ContactSheetDisplayTest {
 
   private static final Path SHEET = Path.of("docs", "images", "scenarios.jpg");
 
-  /** Size of the window [px], which is that at first. */
+  /** Default size of the window [px]. */
   private static final int WIDTH = 1280;
 
   private static final int HEIGHT = 800;
 
-  /** Pictures beside each other: two scenarios, light and dark. */
+  /** Pictures per row: two scenarios, light and dark. */
   private static final int COLUMNS = 4;
 
-  /** How many times smaller each side of a picture is on the sheet, of a width of 1600 px. */
+  /** Factor by which each side of a picture is reduced on the sheet, whose width is 1600 px. */
   private static final double SMALLER = 3.2;
 
-  /** Largest file [bytes]. Decided. */
+  /** Maximum size of the file [bytes]. Decided. */
   private static final int LARGEST = 1_000_000;
 
-  /** Frames after which the camera rests and everything is drawn. Decided: a second. */
+  /** Frames after which the camera is at rest and everything is drawn. Decided: a second. */
   private static final int FRAMES = 60;
 
   @RegisterExtension
@@ -94,7 +94,7 @@ class ContactSheetDisplayTest {
 
   private BufferedImage picture() {
     waitUntil(() -> window.stage().getScene().getWidth() == WIDTH);
-    window.robot().moveTo("#scene-3d"); // where the pointer lights up no button
+    window.robot().moveTo("#scene-3d"); // where the pointer highlights no button
     passFrames(FRAMES);
     WritableImage image = onFxThread(() -> window.stage().getScene().snapshot(null));
     BufferedImage picture = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);

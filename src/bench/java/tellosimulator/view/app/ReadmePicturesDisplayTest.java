@@ -26,6 +26,7 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.testing.CompressedImage;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.view.layout.Theme;
+import tellosimulator.view.layout.WindowState.Flag;
 import tellosimulator.view.testing.NeedsDisplay;
 import tellosimulator.view.testing.QuickRobot;
 import tellosimulator.view.world.ViewCamera;
@@ -41,19 +42,19 @@ import tellosimulator.world.Room;
 @NeedsDisplay
 class ReadmePicturesDisplayTest {
 
-  /** Size of the pictures [px], which is that of the window at first. */
+  /** Size of the pictures [px], which is the default size of the window. */
   private static final int WIDTH = 1280;
 
   private static final int HEIGHT = 800;
   private static final TimeFactor FAST = new TimeFactor(2);
   private static final boolean UPDATE = Boolean.getBoolean("update.docs");
 
-  /** What users see; other tests are not disturbed when only these pictures are taken. */
+  /** The command port that users see; used only with {@code -Dupdate.docs=true}. */
   private static final int PORT = 8879;
 
   private static final Path IMAGES = Path.of("docs", "images");
 
-  /** Largest file [bytes]. Measured: the patterns of the room take up to 760,000. */
+  /** Maximum size of a file [bytes]. Measured: the patterns of the room take up to 760,000. */
   private static final int LARGEST = 850_000;
 
   @TempDir private Path folder;
@@ -76,10 +77,10 @@ class ReadmePicturesDisplayTest {
     take("window.png");
 
     window.change(() -> window.context().actions().togglePause());
-    window.change(() -> window.state().projectorProperty().set(true));
+    window.change(() -> window.state().flag(Flag.PROJECTOR).set(true));
     waitUntil(() -> window.shows("projector"));
     take("projector.png");
-    window.change(() -> window.state().projectorProperty().set(false));
+    window.change(() -> window.state().flag(Flag.PROJECTOR).set(false));
     waitUntil(() -> !window.stage().isFullScreen());
 
     window.choose("language", "language-de");
@@ -147,7 +148,7 @@ class ReadmePicturesDisplayTest {
         WholeWindow.open(scenario.withConfig(fast), folder.resolve("settings"), UPDATE ? PORT : 0);
     window.asAtFirst().switchOn();
     waitUntil(() -> window.stage().getWidth() == WIDTH && window.stage().getHeight() == HEIGHT);
-    new QuickRobot().moveTo("#scene-3d"); // where the pointer lights up no button
+    new QuickRobot().moveTo("#scene-3d"); // where the pointer highlights no button
   }
 
   private void all(String first, String second, String third) {
@@ -160,7 +161,7 @@ class ReadmePicturesDisplayTest {
     }
   }
 
-  /** Takes a picture when the camera has caught up with the drone. */
+  /** Takes a picture once the camera has caught up with the drone. */
   private void take(String name) throws IOException {
     awaitRestOfTheCamera();
     BufferedImage picture = coarse(window.picture());
@@ -195,7 +196,7 @@ class ReadmePicturesDisplayTest {
     return (int) Arrays.stream(middle).distinct().count();
   }
 
-  /** The picture with 128 shades of each colour, of which a small file can be made. */
+  /** Returns the picture with 128 shades of each colour, which makes the file small. */
   private static BufferedImage coarse(WritableImage picture) {
     int width = (int) picture.getWidth();
     int height = (int) picture.getHeight();

@@ -23,14 +23,14 @@ import tellosimulator.view.testing.NeedsDisplay;
 import tellosimulator.view.testing.QuickRobot;
 
 /**
- * How soon the screen shows a room that is changed by its slider: at most 100 ms on a machine that
- * does nothing else. The test prints it, and fails where the screen does not follow.
+ * Measures the time until the screen shows a room that was changed by its slider: at most 100 ms on
+ * an otherwise idle machine. The test prints the time, and fails if the screen does not follow.
  */
 @Tag("bench")
 @NeedsDisplay
 class RoomSliderDisplayTest {
 
-  /** Changes of the room, the first of which only warm up. */
+  /** Number of changes of the room, the first of which only warm up. */
   private static final int CHANGES = 16;
 
   private static final int WARM_UP = 5;
@@ -74,7 +74,7 @@ class RoomSliderDisplayTest {
       if (change >= WARM_UP) {
         times.add((seen.get() - start) * 1e-6);
       }
-      window.passFrames(40); // the camera has come to rest
+      window.passFrames(40); // the camera is at rest
     }
 
     double median = new Statistics(times).median();
@@ -91,7 +91,7 @@ class RoomSliderDisplayTest {
     return changed > now.length / 20;
   }
 
-  /** A part of the floor, as it is on the screen. */
+  /** Returns a part of the floor from the screen. */
   private int[] pixels() {
     Rectangle2D part =
         onFxThread(

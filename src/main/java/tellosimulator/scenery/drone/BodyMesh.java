@@ -7,30 +7,36 @@ import tellosimulator.scenery.drone.Loft.Section;
 import tellosimulator.scenery.mesh.Mesh;
 
 /**
- * The shape of a Tello without its propellers: shell, nose, arms, motors, feet and guards. Body
- * frame [m], the origin between the feet.
+ * The shape of a Tello without its propellers: shell, nose, arms, motors, feet and guards. All
+ * positions are in the body frame [m], whose origin is between the feet.
  */
 final class BodyMesh {
 
-  /** From motor to motor along the nose [m]. Documented: 98 mm (Tello User Manual). */
+  /** Distance between front and back motors [m]. Documented: 98 mm (Tello User Manual). */
   static final double LENGTH = 0.098;
 
-  /** From motor to motor across [m]. Documented: 92.5 mm (Tello User Manual). */
+  /** Distance between left and right motors [m]. Documented: 92.5 mm (Tello User Manual). */
   static final double WIDTH = 0.0925;
 
-  /** Height of the propellers' plane [m]. Documented: 41 mm in all (Tello User Manual). */
+  /**
+   * Height of the plane of the propellers [m]. Documented: the drone is 41 mm high in total (Tello
+   * User Manual).
+   */
   static final double PROPELLER_HEIGHT = 0.0385;
 
-  /** Where the shell ends in front [m]. Assumed: by eye, from pictures. */
+  /** Position of the shell's front end [m]. Assumed: by eye, from pictures. */
   static final double NOSE = 0.0495;
 
-  /** Height of camera and status light [m]. Assumed: by eye, from pictures. */
+  /** Height of the camera and of the status light [m]. Assumed: by eye, from pictures. */
   static final double LENS_HEIGHT = 0.0185;
 
-  /** Radius of the circle that a guard follows [m]. Assumed: 2 mm of air around a propeller. */
+  /**
+   * Radius of the circle along which a guard runs [m]. Assumed: 2 mm of clearance around a
+   * propeller.
+   */
   private static final double GUARD_RADIUS = 0.0405;
 
-  /** Across, with the guards [m]. */
+  /** Overall width, including the guards [m]. */
   static final double SPAN = WIDTH + 2 * GUARD_RADIUS;
 
   /** Half the angle that a guard covers [rad]. Assumed: by eye, from pictures. */
@@ -60,7 +66,7 @@ final class BodyMesh {
     return shape().build();
   }
 
-  /** The middles of the four propellers: front left, front right, back left, back right. */
+  /** Returns the centres of the four propellers: front left, front right, back left, back right. */
   static List<Vec3> propellers() {
     List<Vec3> all = new ArrayList<>();
     for (int[] corner : CORNERS) {
@@ -122,7 +128,7 @@ final class BodyMesh {
     addHub(motor);
   }
 
-  /** The middle of a propeller. It is round, so that it need not turn. */
+  /** Adds the hub of a propeller. It is round, so it need not turn with the blades. */
   private void addHub(Vec3 motor) {
     mesh.group(Palette.PROPELLER);
     Loft.tube(
@@ -156,7 +162,7 @@ final class BodyMesh {
     }
   }
 
-  /** Dark outside and below, light inside and on top. */
+  /** Adds a strip that is dark on its outside and underside, and light on its inside and top. */
   private void addStrip(List<int[]> rings) {
     for (int side = 0; side < 4; side++) {
       mesh.group(side < 2 ? Palette.RIM : Palette.GUARD);
@@ -174,7 +180,8 @@ final class BodyMesh {
   }
 
   /**
-   * An upright strip, 1.8 mm thick and 4.6 mm high: its inside from below, its top, its outside.
+   * Adds a cross-section of an upright strip, 1.8 mm thick and 4.6 mm high. The corners are in this
+   * order: inner lower, inner upper, outer upper, outer lower.
    */
   private int[] guardSection(Vec3 motor, double angle) {
     Vec3 out = new Vec3(StrictMath.cos(angle), StrictMath.sin(angle), 0).times(0.0009);

@@ -10,19 +10,22 @@ import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * The parts of one drone. Body and lamp are in the body frame; a propeller is at the origin of its
- * own. Immutable; for any thread.
+ * The parts of one drone. The body and the lamp are in the body frame; a propeller is at the origin
+ * of its own frame. Immutable.
  */
 public final class DroneParts {
 
-  /** How far a propeller that stands still is turned, times its number [rad]. Decided: by eye. */
+  /**
+   * Angle of the first propeller at rest; the others rest at multiples of this angle [rad].
+   * Decided: by eye.
+   */
   private static final double AT_REST = Math.toRadians(35);
 
   private final Part body;
   private final Part clockwise;
   private final Part counterClockwise;
 
-  /** What is the same for all drones; made for the first one. */
+  /** The parts that all drones share; they are created together with the first drone. */
   private static final class Shared {
 
     static final Mesh BODY = BodyMesh.create();
@@ -36,6 +39,8 @@ public final class DroneParts {
   }
 
   /**
+   * Creates the parts of one drone.
+   *
    * @param cover colour of the drone's cover
    */
   public DroneParts(Rgb cover) {
@@ -45,30 +50,36 @@ public final class DroneParts {
     counterClockwise = new Part(Shared.COUNTER_CLOCKWISE, colors, Shading.GLOSSY);
   }
 
-  /** All but lamp and propellers. */
+  /** Returns the body, which is everything except the lamp and the propellers. */
   public Part body() {
     return body;
   }
 
-  /** The lamp beside the lens. */
+  /** Returns the lamp beside the lens. */
   public Part lamp(StatusLight light) {
     return Shared.LAMP.get(light);
   }
 
-  /** What people see around the lamp while it is lit; translucent. */
+  /**
+   * Returns the translucent glow around the lit lamp. The glow is visible to people, but not to
+   * drones' cameras.
+   */
   public Part glow(StatusLight light) {
     return Shared.GLOW.get(light);
   }
 
-  /** The hubs of the propellers, body frame [m]: front left, front right, back left, right. */
+  /**
+   * Returns the positions of the propeller hubs in the body frame [m]: front left, front right,
+   * back left, back right.
+   */
   public List<Vec3> propellers() {
     return Shared.PROPELLERS;
   }
 
   /**
-   * A propeller: its blades, or a disc when they turn fast.
+   * Returns a propeller: its blades, or a disc if it spins fast.
    *
-   * @param index its place in {@link #propellers}
+   * @param index index of the propeller in {@link #propellers}
    */
   public Part propeller(int index, boolean blurred) {
     if (blurred) {
@@ -78,16 +89,20 @@ public final class DroneParts {
   }
 
   /**
-   * How far a propeller is turned about the body's z axis, counter-clockwise seen from above [rad].
+   * Returns the angle of a propeller about the body's z axis, counter-clockwise seen from above
+   * [rad].
    *
-   * @param index its place in {@link #propellers}
-   * @param spin how far it has turned since it stood still [rad]
+   * @param index index of the propeller in {@link #propellers}
+   * @param spin angle through which it has turned from rest [rad]
    */
   public double heading(int index, double spin) {
     return (index + 1) * AT_REST + (turnsClockwise(index) ? -spin : spin);
   }
 
-  /** Front right and back left. Documented: parts list of the Tello; the others turn against it. */
+  /**
+   * Returns whether a propeller turns clockwise: the front right and the back left propeller do;
+   * the other two turn counter-clockwise. Documented: parts list of the Tello.
+   */
   private static boolean turnsClockwise(int index) {
     return index == 1 || index == 2;
   }

@@ -4,30 +4,37 @@ import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * How much larger than life a drone is drawn for people, so that it can be told from the far side
- * of a room. It grows about its feet, so that where it stands and flies stays true.
+ * The factor by which a drone is enlarged for people, so that it is recognisable from the far side
+ * of a room. The drone is scaled about its feet, so its displayed position stays correct.
  */
 public final class Enlargement {
 
   /**
-   * Width of a lone drone in the picture, as a share of its distance. Decided: by eye; about 60
-   * pixels in a window of 1280 × 800 pixels.
+   * Displayed width of a lone drone, as a fraction of its distance from the viewer. Decided: by
+   * eye; about 60 pixels in a window of 1280 × 800 pixels.
    */
   private static final double SHARE = 0.06;
 
-  /** The largest factor. Decided: it still fits through a gate of 60 cm with air on both sides. */
+  /**
+   * Maximum factor. Decided: the drone still fits through a gate of 60 cm with clearance on both
+   * sides.
+   */
   private static final double MOST = 3;
 
-  /** By which power of their number marks shrink. Decided: twenty in rows hardly meet. */
+  /**
+   * Exponent to which the number of drones is raised to get the relative size of each drone's
+   * marker. Decided: the markers of twenty drones in rows hardly overlap.
+   */
   private static final double CROWDED = -1.0 / 6;
 
   private Enlargement() {}
 
   /**
-   * The factor for a drone that is seen from a place; 1 where it is large enough by itself.
+   * Returns the factor for a drone seen from a given position, or 1 if the drone is large enough
+   * without enlargement.
    *
-   * @param count how many drones there are
-   * @param eye room frame
+   * @param count number of drones
+   * @param eye position of the viewer in the room frame
    */
   public static double of(DroneSnapshot drone, int count, Vec3 eye) {
     double distance = eye.distanceTo(drone.state().motion().position());
@@ -35,7 +42,10 @@ public final class Enlargement {
     return Math.max(1, Math.min(MOST, wanted));
   }
 
-  /** By how much that which marks each of several drones is smaller than that of a lone one. */
+  /**
+   * Returns the size of a drone's marker among several drones, relative to the size of a lone
+   * drone's marker.
+   */
   public static double crowded(int count) {
     return StrictMath.pow(count, CROWDED);
   }

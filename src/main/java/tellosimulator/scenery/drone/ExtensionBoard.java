@@ -5,8 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
-import tellosimulator.board.BoardLights;
-import tellosimulator.board.MatrixPicture;
+import tellosimulator.extension.BoardLights;
+import tellosimulator.extension.MatrixPicture;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
 import tellosimulator.scenery.mesh.Mesh;
@@ -20,15 +20,18 @@ import tellosimulator.scenery.mesh.Texture;
 
 /**
  * The extension board on top of a RoboMaster TT: its case, its lamp, and a panel with the dot
- * matrix. Body frame [m]. Keeps the latest parts, so that equal lights are equal parts. For any
- * thread.
+ * matrix. All positions are in the body frame [m]. The most recent parts are cached, so equal
+ * lights give the same parts. Thread-safe.
  *
- * <p>Assumed: sizes and places, by eye, from pictures. Decided: the panel shows the same at its
- * back, which is what one sees who flies behind the drone; a real one shows it ahead only.
+ * <p>Assumed: sizes and positions, by eye, from pictures. Decided: the panel shows the same image
+ * on its back, for people who stand behind the drone; a real panel shows it only on its front.
  */
 public final class ExtensionBoard {
 
-  /** Most parts that are kept of a kind. Decided: a text that moves past has more, but slowly. */
+  /**
+   * Maximum number of cached parts of each kind. Decided: a scrolling text may have more images,
+   * but it changes slowly.
+   */
   private static final int MOST = 64;
 
   private static final Vec3 CASE = new Vec3(-0.003, 0, 0.04);
@@ -47,15 +50,15 @@ public final class ExtensionBoard {
   private static final Rgb BLUE = Rgb.of(0x2f7bff);
   private static final Rgb PURPLE = Rgb.of(0xc04dff);
 
-  /** How bright a dot is at least while it is lit. Decided: to be seen. */
+  /** Minimum brightness of a lit dot. Decided: still visible. */
   private static final double DIMMEST = 0.2;
 
-  /** Texels of a dot with what is around it. */
+  /** Side length of the square that a dot and its surroundings occupy [texels]. */
   private static final int CELL = 8;
 
   private static final int TEXELS = CELL * MatrixPicture.SIZE;
 
-  /** Made for the first TT. */
+  /** Parts that all boards share; created together with the first TT. */
   private static final class Shared {
     static final Part BODY =
         new Part(
@@ -71,7 +74,7 @@ public final class ExtensionBoard {
   private final Map<Integer, Part> lamps = new Latest<>();
   private final Map<Dots, Part> matrices = new Latest<>();
 
-  /** The parts of a drone's board at the moment of its state. */
+  /** Returns the parts of a drone's board as they look at the time of the given state. */
   public List<Part> parts(DroneState state) {
     BoardLights lights = state.lights();
     Dots dots = new Dots(lights.picture(state.time()), lights.brightness());
@@ -134,7 +137,7 @@ public final class ExtensionBoard {
     return DOT_OFF.towards(lit, light);
   }
 
-  /** A square ahead of the panel, and one behind it. */
+  /** Creates two squares: one in front of the panel and one behind it. */
   private static Mesh matrixMesh() {
     double half = MATRIX / 2;
     double off = PANEL_SIZE.x() / 2 + 0.0002;
@@ -151,7 +154,7 @@ public final class ExtensionBoard {
     return new Texture(1, 1, new int[] {color.argb()});
   }
 
-  /** Forgets what was not wanted for the longest time. Not for several threads. */
+  /** An LRU cache. Not thread-safe. */
   private static final class Latest<K> extends LinkedHashMap<K, Part> {
 
     private static final long serialVersionUID = 1;

@@ -14,12 +14,15 @@ import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.scenery.texture.ProceduralTexture;
 
 /**
- * The glow around a lamp that is lit, for people: the lamp itself is smaller than a pixel from two
- * metres away. Two crossed squares, one upright and one level. Body frame [m].
+ * The glow around a lit lamp. Only people see it; drones' cameras do not. The glow is necessary
+ * because, seen from two metres away, the lamp itself is smaller than a pixel. The glow consists of
+ * two crossed squares, one upright and one level. All positions are in the body frame [m].
  */
 final class LampGlow {
 
-  /** Half the edge of the squares. Decided: by eye; about half of the drone. */
+  /**
+   * Half the side length of the squares [m]. Decided: by eye; about half the length of the drone.
+   */
   private static final double RADIUS = 0.045;
 
   private static final double OPACITY = 0.85;
@@ -47,12 +50,12 @@ final class LampGlow {
               .minus(across.times(0.5))
               .minus(up.times(0.5));
       mesh.quad(new Quad(corner, across, up), TextureRegion.WHOLE);
-      mesh.quad(new Quad(corner, up, across), TextureRegion.WHOLE); // from the other side
+      mesh.quad(new Quad(corner, up, across), TextureRegion.WHOLE); // the back
     }
     return mesh.build();
   }
 
-  /** Bright in the middle, transparent at the edges. */
+  /** Returns a texture that is bright in the middle and transparent at the edges. */
   private static Texture texture(Rgb color) {
     return ProceduralTexture.radial(
         SIZE, near -> color.towards(Rgb.WHITE, near * near * near).argb(OPACITY * near * near));

@@ -6,18 +6,20 @@ import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * The colours that tell a drone from others.
+ * The colours that distinguish one drone from the others.
  *
- * <p>Decided: the colours of Okabe and Ito (Color Universal Design, 2008), which people with any
- * kind of colour vision can tell apart, in an order in which neighbours differ in lightness too.
- * After the last one they begin anew. The first drone is white, as the real one.
+ * <p>Decided: the colours of Okabe and Ito (Color Universal Design, 2008), which are
+ * distinguishable with any kind of colour vision. Their order is chosen so that neighbours also
+ * differ in lightness. After the last colour, the sequence starts again. The first drone has a
+ * white cover, like a real Tello.
  *
- * @param cover of the drone's cover
- * @param color of all else that belongs to it: its path, its start, its rows in panels
+ * @param cover colour of the drone's cover
+ * @param color colour of everything else that belongs to the drone: its path, its start, its rows
+ *     in panels
  */
 public record Livery(Rgb cover, Rgb color) {
 
-  /** Cover of a real Tello. Assumed: by eye, from pictures. */
+  /** The colour of the cover of a real Tello. Assumed: by eye, from pictures. */
   private static final Rgb WHITE_COVER = Rgb.of(0xeceded);
 
   private static final List<Rgb> COLORS =
@@ -30,16 +32,16 @@ public record Livery(Rgb cover, Rgb color) {
           Rgb.of(0xd55e00),
           Rgb.of(0xf0e442));
 
-  /** That of a drone. */
+  /** Returns the livery of a drone. */
   public static Livery of(DroneSnapshot drone) {
     return of(drone.state().drone(), drone.rgb());
   }
 
   /**
-   * That of a drone.
+   * Returns the livery of a drone.
    *
-   * @param number from 1
-   * @param rgb the colour that was chosen for it; empty for that of its number
+   * @param number the drone's number, from 1
+   * @param rgb the colour that was chosen for the drone; if empty, the number determines it
    */
   static Livery of(int number, OptionalInt rgb) {
     if (rgb.isPresent()) {

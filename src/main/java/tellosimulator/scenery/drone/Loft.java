@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.math.Vec3;
 
-/** Lofts closed surfaces over circles or rings of vertices. All lengths in metres. */
+/** Lofts closed surfaces over circles or rings of vertices. All lengths are in metres. */
 final class Loft {
 
   /** A circular cross-section. */
@@ -12,15 +12,16 @@ final class Loft {
 
   private Loft() {}
 
-  /** A straight round bar. */
+  /** Adds a straight round bar. */
   static void bar(SmoothMeshBuilder mesh, Section from, Section to, int sides) {
     tube(mesh, List.of(from, to), sides);
   }
 
   /**
-   * A tube over cross-sections, closed at both ends. Those that share a centre make a step.
+   * Adds a tube through cross-sections, closed at both ends. Two successive cross-sections with the
+   * same centre form a step.
    *
-   * @param sides how many flat sides make it round
+   * @param sides number of flat sides around the tube
    */
   static void tube(SmoothMeshBuilder mesh, List<Section> sections, int sides) {
     List<int[]> rings = new ArrayList<>();
@@ -31,9 +32,10 @@ final class Loft {
   }
 
   /**
-   * A surface over rings of vertices, closed by flat ends.
+   * Adds a surface through rings of vertices, closed by flat ends.
    *
-   * @param rings each with as many vertices, counter-clockwise seen from beyond the last one
+   * @param rings the rings; all of them have the same number of vertices, in counter-clockwise
+   *     order as seen from beyond the last ring
    */
   static void loft(SmoothMeshBuilder mesh, List<int[]> rings) {
     for (int i = 1; i < rings.size(); i++) {
@@ -45,7 +47,11 @@ final class Loft {
     cap(mesh, rings.get(0), true);
   }
 
-  /** The surface between two rings of which the second lies beyond the first. */
+  /**
+   * Adds the surface between two rings.
+   *
+   * @param far the ring that lies beyond {@code near} in the direction of the surface
+   */
   static void band(SmoothMeshBuilder mesh, int[] near, int[] far) {
     for (int i = 0; i < near.length; i++) {
       int next = (i + 1) % near.length;
@@ -55,9 +61,9 @@ final class Loft {
   }
 
   /**
-   * A flat end.
+   * Adds a flat end.
    *
-   * @param backward whether it faces against the direction of the rings
+   * @param backward whether the end faces against the direction of the rings
    */
   static void cap(SmoothMeshBuilder mesh, int[] ring, boolean backward) {
     List<Vec3> vertices = mesh.vertices();

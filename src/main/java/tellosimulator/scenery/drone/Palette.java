@@ -20,12 +20,15 @@ enum Palette {
   MOTOR(Rgb.of(0x3d4147)),
   CAP(Rgb.of(0x8d9198)),
   GUARD(Rgb.of(0x222428)),
-  /** So that a drone stands out against dark floors too. */
+  /** A light colour, so that a drone also stands out against dark floors. */
   RIM(Rgb.of(0xd3d8de)),
   PROPELLER(Rgb.of(0x4b4f57)),
   FOOT(Rgb.of(0x6a6e75));
 
-  /** Texels of a colour; so many that filters do not reach its neighbours. */
+  /**
+   * Side length of the square of one colour [texels]. It is large enough that filters do not blend
+   * neighbouring colours.
+   */
   private static final int CELL = 8;
 
   private final Rgb color;
@@ -34,12 +37,12 @@ enum Palette {
     this.color = color;
   }
 
-  /** Its place in the order of all. */
+  /** Returns the position of this colour in the atlas, from 0. */
   int index() {
     return Arrays.asList(values()).indexOf(this);
   }
 
-  /** The texture coordinates of the colours: u and v of the first one, then of the next. */
+  /** Returns the texture coordinates of all colours in order, u and v for each. */
   static float[] texCoords() {
     float[] texCoords = new float[2 * values().length];
     for (Palette part : values()) {
@@ -49,7 +52,7 @@ enum Palette {
     return texCoords;
   }
 
-  /** The texture of a drone whose cover has this colour. */
+  /** Creates the texture of a drone whose cover has the given colour. */
   static Texture texture(Rgb cover) {
     int width = CELL * values().length;
     int[] pixels = new int[width * CELL];

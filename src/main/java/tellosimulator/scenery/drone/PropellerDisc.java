@@ -8,21 +8,22 @@ import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * The motion blur of a propeller that turns fast: a translucent two-sided disc with smeared blades.
- * It turns about z, with its centre at the origin [m].
+ * The motion blur of a propeller at high speed: a translucent two-sided disc with smeared blades.
+ * It turns about the z axis, and its centre is at the origin. Lengths are in metres.
  */
 final class PropellerDisc {
 
   private static final int SIDES = 24;
 
-  /** Edge of the texture [texels]. */
+  /** Side length of the texture [texels]. */
   private static final int SIZE = 64;
 
   private static final Rgb BLADE = Rgb.of(0x3b3e45);
 
-  /** Opacity of the disc, and how much a smeared blade adds to it. Assumed: by eye. */
+  /** Opacity of the disc. Assumed: by eye. */
   private static final double DISC_OPACITY = 0.18;
 
+  /** Opacity that a smeared blade adds to the opacity of the disc. Assumed: by eye. */
   private static final double BLADE_OPACITY = 0.42;
 
   private PropellerDisc() {}
@@ -57,10 +58,10 @@ final class PropellerDisc {
   }
 
   /**
-   * How opaque the disc is.
+   * Returns the opacity of the disc.
    *
-   * @param x along the blades, 1 at a tip
-   * @param y across
+   * @param x position along the blades, 1 at a tip
+   * @param y position across the blades, in the same unit
    */
   static double opacity(double x, double y) {
     double radius = StrictMath.hypot(x, y);

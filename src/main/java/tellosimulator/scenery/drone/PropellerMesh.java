@@ -5,22 +5,25 @@ import java.util.List;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Mesh;
 
-/** The two blades of a propeller that turns about z, its middle at the origin [m]. */
+/**
+ * The two blades of a propeller. It turns about the z axis, and its centre is at the origin.
+ * Lengths are in metres.
+ */
 final class PropellerMesh {
 
-  /** From the middle to the tip [m]. Documented: 3-inch propellers (Tello User Manual). */
+  /** Distance from the centre to a tip [m]. Documented: 3-inch propellers (Tello User Manual). */
   static final double RADIUS = 0.0381;
 
   /**
-   * A section across a blade.
+   * A cross-section of a blade.
    *
-   * @param radius where it is [m]
-   * @param chord its width [m]
-   * @param twist against the plane of the propeller [rad]
+   * @param radius distance of the cross-section from the centre [m]
+   * @param chord width of the blade [m]
+   * @param twist angle of the blade to the plane of the propeller [rad]
    */
   private record Blade(double radius, double chord, double twist) {}
 
-  /** Assumed: by eye, from pictures. */
+  /** The cross-sections of a blade. Assumed: by eye, from pictures. */
   private static final List<Blade> BLADES =
       List.of(
           new Blade(0.0030, 0.0050, Math.toRadians(30)),
@@ -36,9 +39,9 @@ final class PropellerMesh {
   private PropellerMesh() {}
 
   /**
-   * The shape.
+   * Creates the shape of a propeller.
    *
-   * @param clockwise whether it pushes air down when it turns clockwise, seen from above
+   * @param clockwise whether the propeller pushes air down when it turns clockwise, seen from above
    */
   static SmoothMeshBuilder shape(boolean clockwise) {
     SmoothMeshBuilder mesh = new SmoothMeshBuilder();
@@ -60,7 +63,10 @@ final class PropellerMesh {
     Loft.loft(mesh, rings);
   }
 
-  /** Four corners around the section's middle: two edges, the back and the belly. */
+  /**
+   * Adds four vertices around the middle of a cross-section: one edge, the upper surface, the other
+   * edge, and the lower surface.
+   */
   private static int[] section(SmoothMeshBuilder mesh, Blade blade, int side, int sense) {
     double flat = blade.chord / 2 * StrictMath.cos(blade.twist);
     double steep = blade.chord / 2 * StrictMath.sin(blade.twist) * sense;

@@ -3,21 +3,22 @@ package tellosimulator.scenery.drone;
 import tellosimulator.model.FlightPhase;
 
 /**
- * How the propellers of a drone turn in a frame: slower than real ones, of which one would see
- * nothing but flicker. It follows from the moment alone. Immutable; for any thread.
+ * The displayed rotation of a drone's propellers at one moment. It is slower than the real
+ * rotation, because the real rotation would only flicker. The displayed rotation depends only on
+ * the flight phase and the time. Immutable.
  *
- * @param blurred whether one sees discs instead of blades
- * @param angle how far the propellers have turned, within a turn [rad]
+ * @param blurred whether discs are drawn instead of blades
+ * @param angle angle of the propellers, within one turn [rad]
  */
 public record PropellerSpin(boolean blurred, double angle) {
 
-  /** Turning rate in a frame [rad/s]. Decided: by eye. */
+  /** Displayed rotation rate [rad/s]. Decided: by eye. */
   private static final double RATE = 26;
 
   /**
-   * The spin at a moment.
+   * Returns the spin at a given time.
    *
-   * @param seconds on any clock
+   * @param seconds time on any clock
    */
   public static PropellerSpin of(FlightPhase phase, double seconds) {
     boolean turns = phase.motorsOn();

@@ -11,28 +11,28 @@ import tellosimulator.scenery.drone.Loft.Section;
  */
 final class Shell {
 
-  /** Height of the seam between cover and underside [m]. */
+  /** Height of the seam between the cover and the underside [m]. */
   private static final double SEAM_HEIGHT = 0.0165;
 
-  /** How far the seam is recessed, as a part of the width. */
+  /** Width at the recessed seam, as a fraction of the full width. */
   private static final double SEAM_DEPTH = 0.96;
 
-  /** Exponent of the superellipse that is the section across: 2 is an ellipse, more is boxy. */
+  /** Exponent of the superelliptic cross-section: 2 gives an ellipse, larger values are boxier. */
   private static final double BOXINESS = 3.4;
 
-  /** Vertices around the shell; half of them above the seam. */
+  /** Number of vertices around the shell; half of them are above the seam. */
   private static final int AROUND = 32;
 
-  /** Behind this the shell is cover, before it nose [m]. */
+  /** Position along the x axis where the cover ends and the nose begins [m]. */
   private static final double NOSE_BEGINS = 0.0395;
 
   /**
-   * A section across the shell.
+   * A cross-section of the shell.
    *
-   * @param x along the nose [m]
-   * @param halfWidth metres
-   * @param up from the seam to the top [m]
-   * @param down from the seam to the bottom [m]
+   * @param x position along the body's x axis [m]
+   * @param halfWidth half of its width [m]
+   * @param up height from the seam to the top [m]
+   * @param down depth from the seam to the bottom [m]
    */
   private record Rib(double x, double halfWidth, double up, double down) {}
 
@@ -135,7 +135,7 @@ final class Shell {
         8);
   }
 
-  /** The end of the battery, which is pushed in from behind. */
+  /** Adds the visible end of the battery. The battery is inserted from behind. */
   private static void addBattery(SmoothMeshBuilder mesh) {
     mesh.group(Palette.UNDERSIDE);
     Loft.loft(
@@ -145,7 +145,11 @@ final class Shell {
             batteryEnd(mesh, new Vec3(-0.0482, 0.0118, 0.0060))));
   }
 
-  /** A rectangle across: x, half its width and half its height [m]. */
+  /**
+   * Adds a rectangle perpendicular to the x axis.
+   *
+   * @param size position along x (x), half of the width (y) and half of the height (z) [m]
+   */
   private static int[] batteryEnd(SmoothMeshBuilder mesh, Vec3 size) {
     double middle = 0.0185;
     return new int[] {
@@ -156,7 +160,7 @@ final class Shell {
     };
   }
 
-  /** The two eyes of the vision positioning system below. */
+  /** Adds the two sensors of the vision positioning system on the underside. */
   private static void addSensors(SmoothMeshBuilder mesh) {
     for (double y : new double[] {-0.005, 0.005}) {
       mesh.group(Palette.LENS);

@@ -8,13 +8,13 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Mesh;
 
 /**
- * Collects coloured triangles and builds one mesh of them. Triangles of one smoothing group share
- * normals at their vertices and look like a curved surface; between groups there is a hard edge.
- * The vertices of a triangle are counter-clockwise seen from outside.
+ * Collects coloured triangles and builds one mesh from them. Triangles in the same smoothing group
+ * share normals at their vertices and look like a curved surface; between groups there is a hard
+ * edge. The vertices of a triangle are counter-clockwise seen from outside. Not thread-safe.
  */
 final class SmoothMeshBuilder {
 
-  /** The vertices of a triangle, its smoothing group and its colour. */
+  /** A triangle: the indices of its vertices, its smoothing group and its colour. */
   record Triangle(int a, int b, int c, int group, Palette color) {}
 
   private record Corner(int vertex, int group) {}
@@ -24,18 +24,18 @@ final class SmoothMeshBuilder {
   private Palette color = Palette.COVER;
   private int group;
 
-  /** Begins a smoothing group; what follows has this colour. */
+  /** Begins a smoothing group, and sets the colour of all subsequent triangles. */
   void group(Palette newColor) {
     group++;
     color = newColor;
   }
 
-  /** Begins a smoothing group of the same colour. */
+  /** Begins a smoothing group with the current colour. */
   void group() {
     group++;
   }
 
-  /** Gives what follows this colour, in the same smoothing group. */
+  /** Sets the colour of all subsequent triangles, without beginning a smoothing group. */
   void color(Palette newColor) {
     color = newColor;
   }
@@ -43,14 +43,14 @@ final class SmoothMeshBuilder {
   /**
    * Adds a vertex.
    *
-   * @return its index
+   * @return the index of the vertex
    */
   int vertex(Vec3 position) {
     vertices.add(position);
     return vertices.size() - 1;
   }
 
-  /** Adds a triangle; one without area is left out. */
+  /** Adds a triangle, unless its area is zero. */
   void triangle(int a, int b, int c) {
     Triangle added = new Triangle(a, b, c, group, color);
     if (area(added).norm() > 0) {
@@ -66,7 +66,7 @@ final class SmoothMeshBuilder {
     return List.copyOf(triangles);
   }
 
-  /** The outward normal of a triangle, as long as twice its area. */
+  /** Returns the outward normal of a triangle; its length is twice the triangle's area. */
   Vec3 area(Triangle triangle) {
     Vec3 a = vertices.get(triangle.a);
     return vertices.get(triangle.b).minus(a).cross(vertices.get(triangle.c).minus(a));
@@ -89,7 +89,7 @@ final class SmoothMeshBuilder {
     return new Mesh(Mesh.floats(vertices), Mesh.floats(unit), Palette.texCoords(), corners);
   }
 
-  /** For each vertex of each group the mean of its triangles' normals, weighted by area. */
+  /** Returns, for each vertex in each group, the mean normal of its triangles, weighted by area. */
   private Map<Corner, Vec3> normals() {
     Map<Corner, Vec3> normals = new LinkedHashMap<>();
     for (Triangle triangle : triangles) {

@@ -12,13 +12,13 @@ import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 
-/** The lamp beside the lens, in all its colours. Body frame [m]. */
+/** The lamp beside the lens, in all its colours. All positions are in the body frame [m]. */
 final class StatusLamp {
 
-  /** Assumed: by eye, from pictures. */
+  /** Centre of the lamp. Assumed: by eye, from pictures. */
   static final Vec3 PLACE = new Vec3(0.0488, 0.0088, 0.0205);
 
-  /** Assumed: by eye, from pictures. */
+  /** Radius of the lamp. Assumed: by eye, from pictures. */
   static final double RADIUS = 0.0021;
 
   private static final int SIDES = 8;
@@ -36,7 +36,7 @@ final class StatusLamp {
     return parts;
   }
 
-  /** A ball in the body frame [m]. */
+  /** Creates a ball in the body frame [m]. */
   static Mesh ball(Vec3 middle, double radius) {
     List<Section> sections = new ArrayList<>();
     for (int i = 0; i < SIDES / 2; i++) {

@@ -8,20 +8,21 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.SimTime;
 
 /**
- * What the status light beside the camera shows.
+ * The state of the status light beside the camera.
  *
- * <p>Documented: Tello User Manual, "Aircraft Status Indicator", not read again for this: green,
- * blinking twice: vision positioning works; yellow, blinking quickly: no signal of a remote
- * control; red, blinking slowly: low battery; red, blinking quickly: critically low battery; red,
- * steady: critical error. So a real drone's light blinks while it stands, too; see {@link #steady}.
- * Assumed: the lengths of blinks.
+ * <p>Documented (Tello User Manual, "Aircraft Status Indicator"; not rechecked against the manual):
+ * blinking green twice means that vision positioning works; blinking yellow quickly means that
+ * there is no signal from a remote control; blinking red slowly means that the battery is low;
+ * blinking red quickly means that the battery is critically low; steady red means that there is a
+ * critical error. The light of a real drone therefore blinks on the ground, too; see {@link
+ * #steady}. Assumed: the durations of the blinks.
  */
 public enum StatusLight {
-  /** Without power: the lamp itself. */
+  /** The drone is off; the lamp is unlit. */
   DARK(Rgb.of(0x404040), new double[] {1}),
-  /** Nobody has commanded yet. */
+  /** No operator has sent a command yet. */
   WAITING(Rgb.of(0xffc400), new double[] {0.4, 0, 0.2}),
-  /** An operator program commands. */
+  /** An operator program sends commands. */
   READY(Rgb.of(0x25e05a), new double[] {1.4, 0, 0.15, 0.3, 0.45}),
   LOW_BATTERY(Rgb.of(0xff2b20), new double[] {1.2, 0, 0.6}),
   CRITICAL_BATTERY(Rgb.of(0xff2b20), new double[] {0.3, 0, 0.15}),
@@ -31,23 +32,31 @@ public enum StatusLight {
   private final double[] pattern;
 
   /**
-   * @param pattern its period, then when it goes on, off, on, off … within a period [s]; all but
-   *     that of {@link #DARK} begin lit
+   * Creates a state of the light.
+   *
+   * @param color colour of the light while it is lit
+   * @param pattern the period, then the times within a period at which the light goes on, off, on,
+   *     off … [s]; all patterns begin lit, except the pattern of {@link #DARK}
    */
   StatusLight(Rgb color, double[] pattern) {
     this.color = color;
     this.pattern = pattern;
   }
 
-  /** What one sees of a drone's light at the moment of its state, the blinking included. */
+  /**
+   * Returns the visible state of a drone's light at the time of the drone's state; {@link #DARK}
+   * between blinks.
+   */
   public static StatusLight seen(DroneSnapshot drone) {
     StatusLight light = of(drone);
     return light.lit(drone.state().time().seconds()) ? light : DARK;
   }
 
   /**
-   * A drone that stands, at a moment at which its light is lit, for pictures that are drawn as
-   * seldom as possible; the drone itself if its light warns, which goes on blinking.
+   * Returns a copy of a drone on the ground, with its time set to a moment when the light is lit.
+   * The drone then looks the same in every snapshot and need not be drawn again. Returns the drone
+   * unchanged if it is moving, its board's lights are animated, or its status light warns and must
+   * continue to blink.
    */
   public static DroneSnapshot steady(DroneSnapshot drone) {
     DroneState state = drone.state();
@@ -62,7 +71,7 @@ public enum StatusLight {
         state.phase(), state.energy().battery().percent(), drone.link().operator().isPresent());
   }
 
-  /** What the light of a drone shows. */
+  /** Returns the state of the light of a drone in the given condition. */
   static StatusLight of(FlightPhase phase, double batteryPercent, boolean commanded) {
     if (phase == FlightPhase.OFF) {
       return DARK;
@@ -79,15 +88,15 @@ public enum StatusLight {
     return commanded ? READY : WAITING;
   }
 
-  /** Its colour while it is lit. */
+  /** Returns the colour of the light while it is lit. */
   Rgb color() {
     return color;
   }
 
   /**
-   * Whether it is lit at a moment.
+   * Returns whether the light is lit at a given time.
    *
-   * @param seconds on any clock
+   * @param seconds time on any clock
    */
   boolean lit(double seconds) {
     double within = seconds - pattern[0] * Math.floor(seconds / pattern[0]);

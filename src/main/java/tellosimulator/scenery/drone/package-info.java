@@ -1,11 +1,11 @@
 /**
- * What a drone looks like.
+ * The appearance of a drone.
  *
- * <p>{@link tellosimulator.scenery.drone.DroneParts} are the parts of one drone; its shapes are
- * calculated once, in metres and in the axes of its body (x along the nose, y to the left, z up).
- * {@link tellosimulator.scenery.drone.Livery} tells drones apart. {@link
+ * <p>{@link tellosimulator.scenery.drone.DroneParts} contains the parts of one drone. Their shapes
+ * are calculated once, in metres and in the body frame (x along the nose, y to the left, z up).
+ * {@link tellosimulator.scenery.drone.Livery} distinguishes drones by colour. {@link
  * tellosimulator.scenery.drone.PropellerSpin} and {@link tellosimulator.scenery.drone.StatusLight}
- * say what turns and what shines. Shapes and colours are for any thread. Where a drone is, is not
- * its job.
+ * determine the rotation of the propellers and the state of the lamp. Shapes and colours are
+ * thread-safe. This package does not determine where a drone is.
  */
 package tellosimulator.scenery.drone;

@@ -5,7 +5,7 @@ import java.util.List;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.MeshBuilder.Vertex;
 
-/** Round surfaces in the frame of an obstacle. */
+/** Builds curved surfaces in the frame of an obstacle. */
 final class CurvedSurfaces {
 
   private static final Vec3 AHEAD = new Vec3(1, 0, 0);
@@ -13,9 +13,10 @@ final class CurvedSurfaces {
   private CurvedSurfaces() {}
 
   /**
-   * An upright tube without ends, its foot at the origin.
+   * Adds an upright tube without ends. Its foot is at the origin.
    *
-   * @param around how much of the texture goes around it, its middle in front [m]
+   * @param around length of the texture around the tube [m]; the middle of the texture is at the
+   *     front
    */
   static void tube(TexturedMeshBuilder mesh, double radius, double height, double around) {
     List<Vertex> lower = new ArrayList<>();
@@ -32,10 +33,10 @@ final class CurvedSurfaces {
   }
 
   /**
-   * A level disc.
+   * Adds a level disc.
    *
-   * @param height above the foot [m]
-   * @param upwards whether one sees it from above
+   * @param height height of the disc above the foot [m]
+   * @param upwards whether the disc faces upwards; otherwise, it faces downwards
    */
   static void disc(TexturedMeshBuilder mesh, double radius, double height, boolean upwards) {
     Vec3 normal = upwards ? Vec3.UP : Vec3.UP.times(-1);
@@ -56,11 +57,11 @@ final class CurvedSurfaces {
   }
 
   /**
-   * A ring that stands across the way ahead.
+   * Adds a ring that stands perpendicular to the x axis.
    *
-   * @param radius from its middle to that of the tube [m]
+   * @param radius distance from the centre of the ring to the centre line of the tube [m]
    * @param tube radius of the tube [m]
-   * @param height of its middle above the foot [m]
+   * @param height height of the ring's centre above the foot [m]
    */
   static void torus(TexturedMeshBuilder mesh, double radius, double tube, double height) {
     int pieces = Math.max(24, sides(radius));
@@ -86,27 +87,35 @@ final class CurvedSurfaces {
     }
   }
 
-  /** From behind over the right to the front and on: counter-clockwise seen from above. */
+  /**
+   * Returns a horizontal unit vector. With growing {@code part} it turns from the back to the
+   * right: counter-clockwise seen from above.
+   */
   private static Vec3 spoke(double part) {
     return mixed(new Vec3(-1, 0, 0), new Vec3(0, -1, 0), part);
   }
 
-  /** From below over the right upwards: counter-clockwise seen from ahead. */
+  /**
+   * Returns a unit vector perpendicular to the x axis. With growing {@code part} it turns from the
+   * bottom to the left: counter-clockwise seen from ahead.
+   */
   private static Vec3 standing(double part) {
     return mixed(new Vec3(0, 0, -1), new Vec3(0, 1, 0), part);
   }
 
   /**
-   * A unit vector on the way around.
+   * Returns the unit vector that is reached after a fraction of a turn.
    *
-   * @param part of a whole turn, from the first over the second
+   * @param first direction at the beginning of the turn
+   * @param second direction after a quarter turn
+   * @param part fraction of a whole turn
    */
   private static Vec3 mixed(Vec3 first, Vec3 second, double part) {
     double angle = 2 * Math.PI * part;
     return first.times(StrictMath.cos(angle)).plusScaled(second, StrictMath.sin(angle));
   }
 
-  /** How many flat sides make it look round. Decided: by eye. */
+  /** Returns the number of flat sides that make a surface look round. Decided: by eye. */
   private static int sides(double radius) {
     return (int) Math.max(10, Math.min(48, 8 + Math.round(40 * Math.sqrt(radius)))) / 2 * 2;
   }

@@ -20,23 +20,26 @@ import tellosimulator.world.Shape;
 
 /**
  * The ambient occlusion on the sides of boxes and cylinders that stand on the floor: bands of shade
- * around their feet, all in one mesh. Where a picture is, there is none: programs look at it.
+ * around their feet, all in one mesh. Obstacles with pictures have no shade, because programs
+ * process the pictures.
  */
 final class FootShade {
 
-  /** How high it reaches [m]. Decided: by eye. */
+  /** Maximum height of the shade [m]. Decided: by eye. */
   private static final double REACH = 0.45;
 
-  /** The same, as a part of the obstacle's height. */
+  /** Maximum height of the shade, as a fraction of the obstacle's height. */
   private static final double LARGEST_PART = 0.6;
 
-  /** From the side to the band, so that it does not flicker [m]. Decided: from 10 m away. */
+  /**
+   * Gap between a side and its band, to prevent flicker [m]. Decided: enough at a distance of 10 m.
+   */
   private static final double OFFSET = 0.002;
 
   /** Opacity at the floor. Decided: by eye. */
   private static final double DARKEST = 0.4;
 
-  /** What starts no higher than this stands on the floor [m]. Decided. */
+  /** An obstacle whose foot is not higher than this stands on the floor [m]. Decided. */
   private static final double STANDING = 0.01;
 
   private static final int SIDES = 32;
@@ -47,7 +50,10 @@ final class FootShade {
 
   private FootShade() {}
 
-  /** The shade of these obstacles, room frame; nothing if none of them has any. */
+  /**
+   * Returns the shade of these obstacles, in the room frame. The list is empty if none of the
+   * obstacles has any shade.
+   */
   static List<Instance> of(List<Obstacle> obstacles) {
     FootShade shade = new FootShade();
     for (Obstacle obstacle : obstacles) {
@@ -62,16 +68,22 @@ final class FootShade {
 
   private void add(Shape shape, Pose pose) {
     double high = Math.min(REACH, LARGEST_PART * shape.height());
-    if (shape instanceof Shape.Box box) {
-      Vec3 size = new Vec3(box.depth() + 2 * OFFSET, box.width() + 2 * OFFSET, high);
-      for (Side side : List.of(Side.FRONT, Side.LEFT, Side.BACK, Side.RIGHT)) {
-        Quad quad = new Box(Vec3.ZERO, size).side(side);
-        Vec3 corner = pose.position().plus(pose.attitude().toRoom(quad.corner()));
-        mesh.quad(
-            new Quad(corner, pose.attitude().toRoom(quad.right()), quad.up()), Falloff.REGION);
-      }
-    } else if (shape instanceof Shape.Cylinder cylinder) {
-      addTube(pose.position(), cylinder.radius() + OFFSET, high);
+    shape
+        .match(
+            new Shape.Cases<Runnable>(
+                box -> () -> addSides(box.size(), pose, high),
+                cylinder -> () -> addTube(pose.position(), cylinder.radius() + OFFSET, high),
+                ring -> () -> {}, // gates are too thin
+                frame -> () -> {}))
+        .run();
+  }
+
+  private void addSides(Vec3 box, Pose pose, double high) {
+    Vec3 size = new Vec3(box.x() + 2 * OFFSET, box.y() + 2 * OFFSET, high);
+    for (Side side : List.of(Side.FRONT, Side.LEFT, Side.BACK, Side.RIGHT)) {
+      Quad quad = new Box(Vec3.ZERO, size).side(side);
+      Vec3 corner = pose.position().plus(pose.attitude().toRoom(quad.corner()));
+      mesh.quad(new Quad(corner, pose.attitude().toRoom(quad.right()), quad.up()), Falloff.REGION);
     }
   }
 

@@ -12,21 +12,24 @@ import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Shape;
 
 /**
- * What obstacles look like, each at its place. It keeps what is made for the latest obstacles, so
- * that those that are the same next time, or only elsewhere, are not made again. For any thread.
+ * Creates the instances of obstacles. The parts of the most recent obstacles are cached, so an
+ * obstacle that is unchanged or has only been moved is not built again. Thread-safe.
  */
 public final class Furniture {
 
-  /** All that decides what an obstacle looks like. */
-  private record Look(Shape shape, ObstacleAppearance appearance) {}
+  /** The values that determine an obstacle's appearance. */
+  private record FurnitureKey(Shape shape, ObstacleAppearance appearance) {}
 
   private final ImageCache images = new ImageCache();
   private FurnitureBuilder builder = new FurnitureBuilder(images, PatternTexture.forCount(0));
-  private Map<Look, List<Part>> made = new HashMap<>();
+  private Map<FurnitureKey, List<Part>> made = new HashMap<>();
   private List<Obstacle> latest = List.of();
   private List<Instance> instances = List.of();
 
-  /** The obstacles, and last the shade at their feet. The same list for the same obstacles. */
+  /**
+   * Returns the instances of the obstacles, followed by the shade at their feet. As long as {@code
+   * obstacles} is the same object, the same list is returned.
+   */
   public synchronized List<Instance> instances(List<Obstacle> obstacles) {
     if (obstacles != latest) {
       make(obstacles);
@@ -45,7 +48,7 @@ public final class Furniture {
       builder = new FurnitureBuilder(images, patterns);
       made = Map.of();
     }
-    Map<Look, List<Part>> needed = new HashMap<>();
+    Map<FurnitureKey, List<Part>> needed = new HashMap<>();
     for (Obstacle obstacle : obstacles) {
       needed.computeIfAbsent(look(obstacle), this::parts);
     }
@@ -53,7 +56,7 @@ public final class Furniture {
     builder.keep(obstacles);
   }
 
-  private List<Part> parts(Look look) {
+  private List<Part> parts(FurnitureKey look) {
     List<Part> known = made.get(look);
     return known == null ? builder.parts(look.shape, look.appearance) : known;
   }
@@ -64,7 +67,7 @@ public final class Furniture {
         .toList();
   }
 
-  private static Look look(Obstacle obstacle) {
-    return new Look(obstacle.shape(), obstacle.appearance());
+  private static FurnitureKey look(Obstacle obstacle) {
+    return new FurnitureKey(obstacle.shape(), obstacle.appearance());
   }
 }

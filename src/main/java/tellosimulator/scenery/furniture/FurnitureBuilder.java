@@ -23,21 +23,25 @@ import tellosimulator.world.ObstacleAppearance.Side;
 import tellosimulator.world.Shape;
 
 /**
- * Builds the parts of obstacles, each in the obstacle's frame. Paint is lit, so that one sees the
- * sides; images are as bright as their files, as posters are. For one thread at a time.
+ * Builds the parts of obstacles, each in the obstacle's frame. Painted surfaces are lit, so the
+ * sides of an obstacle differ in brightness. Images are unlit, so they are as bright as their
+ * files, like posters. Not thread-safe.
  */
 final class FurnitureBuilder {
 
-  /** The stand of a gate. Decided: by eye; it shall not be taken for the gate. */
+  /**
+   * Colour of the stand of a gate. Decided: by eye; it must not be confused with the gate itself.
+   */
   private static final Rgb STAND = Rgb.of(0x44484e);
 
-  /** Around a circle of radius 1. */
+  /** Circumference of a circle of radius 1. */
   private static final double TURN = 2 * Math.PI;
 
   /**
-   * All that decides what is painted on an obstacle.
+   * The values that determine the paint of an obstacle.
    *
-   * @param material of what has no pattern; else always the same
+   * @param material material of an obstacle without a pattern; for all others always {@link
+   *     ObstacleMaterial#PAINT}
    */
   private record Paint(Pattern pattern, int rgb, ObstacleMaterial material) {
 
@@ -63,8 +67,10 @@ final class FurnitureBuilder {
   private final PatternTexture patterns;
 
   /**
-   * @param images where image files come from
-   * @param patterns the textures of paint
+   * Creates a builder without any cached paint.
+   *
+   * @param images source of image files
+   * @param patterns source of the textures of paint
    */
   FurnitureBuilder(ImageCache images, PatternTexture patterns) {
     this.images = images;
@@ -78,12 +84,12 @@ final class FurnitureBuilder {
     return patterns;
   }
 
-  /** Forgets the paint that none of these obstacles has. */
+  /** Evicts all paint that none of these obstacles uses. */
   void keep(Collection<Obstacle> obstacles) {
     paints.keySet().retainAll(paints(obstacles));
   }
 
-  /** The textures whose size suits these obstacles. */
+  /** Returns textures of a size that suits these obstacles. */
   static PatternTexture patterns(Collection<Obstacle> obstacles) {
     return PatternTexture.forCount(paints(obstacles).size());
   }
@@ -94,19 +100,15 @@ final class FurnitureBuilder {
         .collect(Collectors.toSet());
   }
 
-  /** The parts of an obstacle. */
+  /** Returns the parts of an obstacle. */
   List<Part> parts(Shape shape, ObstacleAppearance appearance) {
-    if (shape instanceof Shape.Box box) {
-      return box(box, appearance);
-    }
-    if (shape instanceof Shape.Cylinder cylinder) {
-      return cylinder(cylinder, appearance);
-    }
-    if (shape instanceof Shape.Ring ring) {
-      return ring(ring, paint(shape, appearance));
-    }
-    boolean segments = appearance.pattern() == Pattern.PLAIN;
-    return frame((Shape.Frame) shape, paint(shape, appearance), segments);
+    return shape.match(
+        new Shape.Cases<>(
+            box -> box(box, appearance),
+            cylinder -> cylinder(cylinder, appearance),
+            ring -> ring(ring, paint(ring, appearance)),
+            frame ->
+                frame(frame, paint(frame, appearance), appearance.pattern() == Pattern.PLAIN)));
   }
 
   private TextureMapping paint(Shape shape, ObstacleAppearance appearance) {
@@ -118,11 +120,11 @@ final class FurnitureBuilder {
   }
 
   private List<Part> box(Shape.Box shape, ObstacleAppearance appearance) {
-    Box box = new Box(Vec3.ZERO, new Vec3(shape.depth(), shape.width(), shape.height()));
+    Box box = new Box(Vec3.ZERO, shape.size());
     TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(shape, appearance));
     painted.box(box, appearance.pictures().keySet());
     List<Part> parts = new ArrayList<>(matte(painted));
-    for (Side side : Side.values()) { // in this order, as that of the map is not always the same
+    for (Side side : Side.values()) { // in this order, because the map's order varies
       if (appearance.pictures().containsKey(side)) {
         Quad quad = box.side(side);
         TexturedMeshBuilder image = image(appearance, side, quad.right().norm(), quad.up().norm());
@@ -172,9 +174,9 @@ final class FurnitureBuilder {
   }
 
   /**
-   * Up to the frame, its sides are posts.
+   * Builds a frame. Below the frame's lower edge, its sides are posts.
    *
-   * @param segments whether its texture runs along each beam
+   * @param segments whether the texture is turned so that it runs along each beam
    */
   private List<Part> frame(Shape.Frame shape, TextureMapping paint, boolean segments) {
     double post = shape.post();

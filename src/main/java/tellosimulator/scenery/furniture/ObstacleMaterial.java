@@ -9,8 +9,8 @@ import tellosimulator.scenery.texture.ValueNoise.Lattice;
 import tellosimulator.world.Shape;
 
 /**
- * What an obstacle without a pattern is made of, in its own colour. A file says shape and colour
- * alone; the rest follows from these. Decided: all of it, by eye.
+ * The material of an obstacle without a pattern, in the obstacle's colour. A scenario specifies
+ * only shape and colour; the material is derived from them. Decided: all values, by eye.
  */
 enum ObstacleMaterial {
   /** A painted wall, board or column. */
@@ -22,7 +22,7 @@ enum ObstacleMaterial {
     }
   },
 
-  /** Boards whose grain runs across. */
+  /** Boards with a horizontal grain. */
   WOOD {
     @Override
     Texels texels(int size, Rgb color) {
@@ -46,7 +46,7 @@ enum ObstacleMaterial {
     }
   },
 
-  /** Cloth, whose threads one sees from near. */
+  /** Cloth whose threads are visible from close up. */
   FABRIC {
     @Override
     Texels texels(int size, Rgb color) {
@@ -59,7 +59,7 @@ enum ObstacleMaterial {
     }
   },
 
-  /** Segments of a gate, in two shades of its colour, by which programs find it. */
+  /** Segments in two shades of a gate's colour, so that programs can detect the gate. */
   SEGMENTS {
     @Override
     Texels texels(int size, Rgb color) {
@@ -75,13 +75,16 @@ enum ObstacleMaterial {
     }
   };
 
-  /** The darker of the two shades of segments. Decided: seen, and still the same colour. */
+  /**
+   * Brightness of the darker segments, relative to the lighter ones. Decided: the difference is
+   * visible, but both still look like the same colour.
+   */
   private static final double DARKER = 0.82;
 
-  /** A segment in each of the two shades [m]. */
+  /** Length of a pair of segments, one in each shade [m]. */
   static final double SEGMENT = 0.5;
 
-  /** How much of that is in the lighter one, the gate's own. */
+  /** Length of the lighter segment, which has the gate's own colour, as a fraction of the pair. */
   private static final double OWN_PART = 0.6;
 
   private static final int BOARDS = 8;
@@ -89,21 +92,21 @@ enum ObstacleMaterial {
   /** Half the width of a joint between boards [m]. */
   private static final double JOINT = 0.003;
 
-  /** Threads a metre, and as many gaps. */
+  /** Number of threads per metre; there are as many gaps. */
   private static final int THREADS = 128;
 
-  /** Thinner cylinders are of metal [m]. */
+  /** A round obstacle up to this radius is made of metal [m]. */
   private static final double POLE = 0.12;
 
-  /** Thinner boxes that are higher than wide are walls [m]. */
+  /** An obstacle up to this thickness that is taller than it is thick is a wall [m]. */
   private static final double WALL = 0.3;
 
-  /** Lower things that are not of wood are upholstered [m]. */
+  /** An obstacle up to this height that is not made of wood is upholstered [m]. */
   private static final double SEAT = 0.65;
 
   private static final int NOISE_SIZE = 512;
 
-  /** What is the same for all colours; computed for the first one. */
+  /** The noise that all colours share; computed on first use. */
   private static final class Noise {
 
     static final ValueNoise EVEN = noise(new Lattice(16, 16), new Lattice(128, 128));
@@ -115,24 +118,22 @@ enum ObstacleMaterial {
     }
   }
 
-  /** That of an obstacle without a pattern. */
+  /** Returns the material of an obstacle without a pattern. */
   static ObstacleMaterial of(Shape shape, Rgb color) {
     if (shape instanceof Shape.Gate) {
       return SEGMENTS;
     }
-    if (shape instanceof Shape.Cylinder cylinder) {
-      return cylinder.radius() <= POLE ? METAL : cylinder.height() <= SEAT ? FABRIC : PAINT;
+    double thinnest = Math.min(shape.size().x(), shape.size().y());
+    if (shape.round()) {
+      return thinnest <= 2 * POLE ? METAL : shape.height() <= SEAT ? FABRIC : PAINT;
     }
-    if (shape instanceof Shape.Box box) {
-      double thinnest = Math.min(box.depth(), box.width());
-      if (thinnest <= WALL && box.height() > thinnest) {
-        return PAINT;
-      }
+    if (thinnest <= WALL && shape.height() > thinnest) {
+      return PAINT;
     }
     return woody(color) ? WOOD : shape.height() <= SEAT ? FABRIC : PAINT;
   }
 
-  /** Whether a colour is brown, or between yellow and red and not glaring. */
+  /** Returns whether a colour is brown, or otherwise between yellow and red but not too bright. */
   private static boolean woody(Rgb color) {
     int red = color.red();
     int green = color.green();
@@ -141,9 +142,9 @@ enum ObstacleMaterial {
   }
 
   /**
-   * Shades around a colour, which is their middle.
+   * Returns shades of a colour, with the colour itself in the middle.
    *
-   * @param spread how far they go, 0 to 1
+   * @param spread relative change in brightness at either end of the ramp, 0 to 1
    */
   private static ColorRamp ramp(Rgb color, double spread) {
     Rgb light =
@@ -164,9 +165,9 @@ enum ObstacleMaterial {
   }
 
   /**
-   * Its texels in a colour.
+   * Returns the texels of this material in a given colour.
    *
-   * @param size edge of the texture, which is {@link PatternTexture#TILE} [texels]
+   * @param size side length of the texture [texels]; the texture covers {@link PatternTexture#TILE}
    */
   abstract Texels texels(int size, Rgb color);
 }

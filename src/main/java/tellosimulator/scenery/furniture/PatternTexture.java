@@ -10,35 +10,43 @@ import tellosimulator.scenery.texture.ValueNoise.Lattice;
 import tellosimulator.world.ObstacleAppearance.Pattern;
 
 /**
- * The procedural textures of painted obstacles. Each tiles a square of {@link #TILE}, and its paint
- * is uneven. For any thread.
+ * The procedural textures of painted obstacles. Each texture tiles without a seam, covers a square
+ * with sides of {@link #TILE}, and shows slightly uneven paint. Immutable.
  *
- * @param size edge of the texture, a power of two, at most {@link #LARGEST} [texels]
+ * @param size side length of a texture, a power of two, at most {@link #LARGEST} [texels]
  */
 record PatternTexture(int size) {
 
-  /** Edge of the square that repeats [m]. Decided: whole bricks and squares. */
+  /** Side length of the repeating square [m]. Decided: a whole number of bricks and of squares. */
   static final double TILE = 1;
 
-  /** Decided: as sharp as a wall from half a metre. */
+  /** Maximum side length of a texture [texels]. Decided: sharp from half a metre away. */
   private static final int LARGEST = 512;
 
-  /** Most textures of the largest size. Decided: they take 60 MB in a window. */
+  /**
+   * Maximum number of textures that may have the largest size. Decided: together they take 60 MB
+   * while a window is open.
+   */
   private static final int MOST_LARGEST = 16;
 
-  /** Most textures of half that size. Decided: they take as much. */
+  /**
+   * Maximum number of textures that may have half of the largest size. Decided: together they take
+   * as much memory as {@link #MOST_LARGEST} textures of the largest size.
+   */
   private static final int MOST_HALF = 64;
 
-  /** From here on a colour is light, 0 to 1. Decided: by eye. */
+  /** Minimum luma of a colour that counts as light, 0 to 1. Decided: by eye. */
   private static final double LIGHT = 0.62;
 
-  /** Edge of a square of the checks [m]. */
+  /** Side length of a square in the checks [m]. */
   private static final double SQUARE = 0.1;
 
-  /** Two stripes, one of each colour, along an edge [m]. Decided: by eye. */
+  /**
+   * Width of a pair of stripes, one in each colour, measured along an edge [m]. Decided: by eye.
+   */
   private static final double STRIPES = 0.25;
 
-  /** Length of a brick with its joint [m]. Documented: DIN 105, normal format, 25 cm by 8⅓ cm. */
+  /** Length of a brick and its joint [m]. Documented: DIN 105, normal format, 25 cm by 8⅓ cm. */
   private static final double BRICK = 0.25;
 
   private static final int COURSES = 12;
@@ -46,12 +54,12 @@ record PatternTexture(int size) {
   /** Half the thickness of a joint [m]. Assumed: joints of 12 mm. */
   private static final double HALF_JOINT = 0.006;
 
-  /** How far the edge of a brick is uneven [m]. Decided: by eye. */
+  /** Unevenness of the edges of bricks [m]. Decided: by eye. */
   private static final double UNEVEN = 0.0025;
 
   private static final ColorRamp MORTAR = new ColorRamp(Rgb.of(0xa79f94), Rgb.of(0xe6e0d6));
 
-  /** What is the same for all textures; computed for the first one. */
+  /** The noise that all textures share; computed on first use. */
   private static final class Shared {
 
     static final ValueNoise PAINT =
@@ -61,7 +69,10 @@ record PatternTexture(int size) {
             .addOctave(new Lattice(128, 128), 0.4, 55);
   }
 
-  /** The size for so many different textures: the more there are, the smaller each is. */
+  /**
+   * Returns textures for a given number of different paints: the more there are, the smaller each
+   * texture is.
+   */
   static PatternTexture forCount(long textures) {
     if (textures <= MOST_LARGEST) {
       return new PatternTexture(LARGEST);
@@ -69,7 +80,7 @@ record PatternTexture(int size) {
     return new PatternTexture(textures <= MOST_HALF ? LARGEST / 2 : LARGEST / 8);
   }
 
-  /** After how many metres a pattern repeats. */
+  /** Returns the period of a pattern [m]. */
   static double period(Pattern pattern) {
     return switch (pattern) {
       case PLAIN -> TILE;
@@ -80,9 +91,9 @@ record PatternTexture(int size) {
   }
 
   /**
-   * A texture of this pattern and colour, painted when it is first used.
+   * Returns a texture of this pattern and colour. The texture is painted on first use.
    *
-   * @param material of what has no pattern
+   * @param material only used if there is no pattern
    */
   Texture of(Pattern pattern, Rgb color, ObstacleMaterial material) {
     return switch (pattern) {
@@ -93,7 +104,7 @@ record PatternTexture(int size) {
     };
   }
 
-  /** Squares in two colours, no two quite alike. */
+  /** Paints squares in two colours, each in a slightly different tone. */
   private ProceduralTexture.Texels checks(Rgb color) {
     int squares = (int) Math.round(TILE / SQUARE);
     ColorRamp own = ramp(color, 0.25);
@@ -102,7 +113,7 @@ record PatternTexture(int size) {
     return (x, y) -> {
       double across = (x + 0.5) * squares / size;
       double down = (y + 0.5) * squares / size;
-      // positive inside a square of its own colour, negative in one of the other
+      // positive in a square of this colour, negative in a square of the contrasting colour
       double inside = alternating(across / 2) * alternating(down / 2) < 0 ? -1 : 1;
       double edge = Math.min(Math.abs(alternating(across / 2)), Math.abs(alternating(down / 2)));
       double weight = 0.5 + inside * 2 * edge * SQUARE / texel();
@@ -112,7 +123,7 @@ record PatternTexture(int size) {
     };
   }
 
-  /** Slanted stripes in two colours, as on barriers. */
+  /** Paints diagonal stripes in two colours, as on barriers. */
   private ProceduralTexture.Texels stripes(Rgb color) {
     ColorRamp own = ramp(color, 0.2);
     ColorRamp other = ramp(contrasting(color), 0.2);
@@ -124,7 +135,7 @@ record PatternTexture(int size) {
     };
   }
 
-  /** Bricks in one colour, each course shifted by half a brick. */
+  /** Paints bricks in one colour, each course shifted by half a brick. */
   private ProceduralTexture.Texels bricks(Rgb color) {
     int bricks = (int) Math.round(TILE / BRICK);
     ColorRamp stone = ramp(color, 0.4);
@@ -142,18 +153,21 @@ record PatternTexture(int size) {
     };
   }
 
-  /** Edge of a texel [m]. */
+  /** Returns the side length of a texel [m]. */
   private double texel() {
     return TILE / size;
   }
 
-  /** How far paint is off its mean at a texel, -1 to 1. */
+  /** Returns the deviation of the paint's tone at a texel from the mean tone, -1 to 1. */
   private double noise(int x, int y) {
     int step = LARGEST / size;
     return Shared.PAINT.at(x * step, y * step);
   }
 
-  /** Distance to the nearest half in periods; positive in the first half of each, else negative. */
+  /**
+   * Returns the distance to the nearest half period: positive in the first half of each period,
+   * negative in the second.
+   */
   private static double alternating(double periods) {
     double phase = periods - Math.floor(periods);
     return phase < 0.5 ? Math.min(phase, 0.5 - phase) : -Math.min(phase - 0.5, 1 - phase);
@@ -164,15 +178,15 @@ record PatternTexture(int size) {
     return Math.min(part, 1 - part);
   }
 
-  /** A colour that stands out against another one: white, or for a light one dark. */
+  /** Returns a contrasting colour: a dark shade for a light colour, otherwise white. */
   private static Rgb contrasting(Rgb color) {
     return color.luma() < LIGHT ? Rgb.of(0xf6f4ee) : color.shaded(0.35);
   }
 
   /**
-   * Shades around a colour: 0.5 is the colour.
+   * Returns shades of a colour, with the colour itself at 0.5.
    *
-   * @param spread how far they go, 0 to 1
+   * @param spread weight of black and of white at the ends of the ramp, 0 to 1
    */
   private static ColorRamp ramp(Rgb color, double spread) {
     return new ColorRamp(color.shaded(1 - spread), color.towards(Rgb.WHITE, spread));

@@ -1,8 +1,8 @@
 package tellosimulator.scenery.furniture;
 
 /**
- * How much of each texel of a square texture is shaded, 0 to 1. Coordinates are in texels, from the
- * left and from the top. For one thread.
+ * The shade of each texel in a square texture, 0 to 1. Coordinates are in texels, measured from the
+ * left and from the top. Not thread-safe.
  */
 final class ShadowLayer {
 
@@ -10,9 +10,9 @@ final class ShadowLayer {
   private float[] shaded;
 
   /**
-   * A layer without any shade.
+   * Creates a layer without any shade.
    *
-   * @param size its edge [texels]
+   * @param size side length of the layer [texels]
    */
   ShadowLayer(int size) {
     this.size = size;
@@ -20,11 +20,10 @@ final class ShadowLayer {
   }
 
   /**
-   * Shades all texels whose centres are in a convex polygon; what is outside of the texture is left
-   * out.
+   * Shades all texels whose centres lie in a convex polygon. Parts outside the texture are ignored.
    *
-   * @param columns of its corners, one after the other
-   * @param rows of its corners
+   * @param columns columns of the polygon's corners, in order
+   * @param rows rows of the same corners
    */
   void fill(double[] columns, double[] rows) {
     double top = Double.POSITIVE_INFINITY;
@@ -59,8 +58,8 @@ final class ShadowLayer {
   }
 
   /**
-   * Blurs with two box filters along each axis, which is nearly a Gaussian filter. Beyond the edges
-   * the shade goes on as it is there.
+   * Blurs the layer with two box filters along each axis, as an approximation of a Gaussian filter.
+   * Beyond the edges, the shade of the edge texels continues.
    *
    * @param columns half the width of a box [texels]
    * @param rows half the height of a box [texels]
@@ -72,7 +71,10 @@ final class ShadowLayer {
     }
   }
 
-  /** At least one texel, as edges are not antialiased, and never more than there are. */
+  /**
+   * Rounds the radius of a box. The result is at least one texel, because edges are not
+   * antialiased, and at most the size of the layer.
+   */
   private int radius(double texels) {
     return (int) Math.max(1, Math.min(size, Math.round(texels)));
   }
@@ -93,7 +95,10 @@ final class ShadowLayer {
     shaded = blurred;
   }
 
-  /** Row by row with a sum for each column, as memory is read fastest. */
+  /**
+   * Blurs along the columns. It iterates row by row and keeps a sum for each column, because this
+   * is the fastest order for memory access.
+   */
   private void blurColumns(int radius) {
     float[] blurred = new float[shaded.length];
     double[] sums = new double[size];
@@ -117,7 +122,7 @@ final class ShadowLayer {
     return Math.max(0, Math.min(size - 1, texel));
   }
 
-  /** Adds the shade to that of other layers. */
+  /** Adds the shade of this layer to sums over several layers. */
   void addTo(double[] sums) {
     for (int i = 0; i < sums.length; i++) {
       sums[i] += shaded[i];

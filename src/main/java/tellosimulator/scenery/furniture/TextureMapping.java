@@ -3,24 +3,27 @@ package tellosimulator.scenery.furniture;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * A texture, and how metres on a surface map to its coordinates. Immutable; for any thread.
+ * A texture, and the mapping from metres on a surface to texture coordinates. Immutable.
  *
- * @param texture on the surface
- * @param period after how many metres it repeats [m]
- * @param across from metres to u
- * @param down from metres to v, upside down
+ * @param texture texture of the surface
+ * @param period length after which the texture's pattern repeats [m]
+ * @param across mapping from metres to u
+ * @param down mapping from metres upwards to 1 - v
  */
 record TextureMapping(Texture texture, double period, Scale across, Scale down) {
 
   /**
-   * Where a length is in a texture.
+   * The linear mapping from metres to a texture coordinate.
    *
-   * @param start where 0 m is, in sizes of the texture
-   * @param step how much of the texture a metre is
+   * @param start coordinate at 0 m
+   * @param step increase of the coordinate per metre
    */
   record Scale(double start, double step) {
 
-    /** From the centre of the first texel to that of the last, or the edges would wrap around. */
+    /**
+     * Maps a length to the range from the centre of the first texel to the centre of the last one,
+     * so that the texture does not wrap around at the edges.
+     */
     static Scale over(double length, int texels) {
       return new Scale(0.5 / texels, (1 - 1.0 / texels) / length);
     }
@@ -30,17 +33,20 @@ record TextureMapping(Texture texture, double period, Scale across, Scale down) 
     }
   }
 
-  /** A texture of {@link PatternTexture#TILE} whose pattern repeats after so many metres. */
+  /**
+   * Returns the mapping of a texture whose pattern has the given period [m]. The texture covers
+   * {@link PatternTexture#TILE}.
+   */
   static TextureMapping repeating(Texture texture, double period) {
     Scale scale = new Scale(0, 1 / PatternTexture.TILE);
     return new TextureMapping(texture, period, scale, scale);
   }
 
   /**
-   * An image, once.
+   * Returns the mapping of an image that is shown once.
    *
-   * @param width of what it covers [m]
-   * @param height of what it covers [m]
+   * @param width width of the covered area [m]
+   * @param height height of the covered area [m]
    */
   static TextureMapping stretched(Texture image, double width, double height) {
     return new TextureMapping(
@@ -48,19 +54,22 @@ record TextureMapping(Texture texture, double period, Scale across, Scale down) 
   }
 
   /**
-   * A length near to one around a thing, after which the pattern begins anew: no seam [m]. Around
-   * thin things that would be too far from it, and a pattern stretched so much is not sharp.
+   * Returns the length of texture that fits around a body without a seam: the nearest whole number
+   * of periods [m]. Around a thin body, the length is not adjusted, because the texture would be
+   * distorted too much.
+   *
+   * @param around circumference of the body [m]
    */
   double closed(double around) {
     return around < period / 2 ? around : Math.max(1, Math.rint(around / period)) * period;
   }
 
-  /** The texture coordinate so many metres to the right. */
+  /** Returns the texture coordinate at a distance to the right [m]. */
   double u(double right) {
     return across.at(right);
   }
 
-  /** The texture coordinate so many metres up. */
+  /** Returns the texture coordinate at a height [m]. */
   double v(double up) {
     return 1 - down.at(up);
   }

@@ -13,7 +13,7 @@ import tellosimulator.world.ObstacleAppearance.Side;
 
 /**
  * Builds the surfaces of an obstacle that share a texture. Texture coordinates are given in metres,
- * to the right and up as one sees the surface from outside, and mapped by a {@link TextureMapping}.
+ * to the right and upwards as seen from outside; a {@link TextureMapping} converts them.
  */
 final class TexturedMeshBuilder {
 
@@ -29,7 +29,7 @@ final class TexturedMeshBuilder {
     return mapping;
   }
 
-  /** Turns the texture of what follows by a quarter, or not. */
+  /** Sets whether the texture of all subsequent surfaces is rotated by a quarter turn. */
   void turn(boolean quarter) {
     turned = quarter;
   }
@@ -39,10 +39,10 @@ final class TexturedMeshBuilder {
   }
 
   /**
-   * A vertex.
+   * Creates a vertex.
    *
-   * @param right where in the texture it is [m]
-   * @param up where in the texture it is [m]
+   * @param right horizontal position in the texture [m]
+   * @param up vertical position in the texture [m]
    */
   Vertex vertex(Vec3 position, Vec3 normal, double right, double up) {
     return turned
@@ -50,7 +50,7 @@ final class TexturedMeshBuilder {
         : new Vertex(position, normal, mapping.u(right), mapping.v(up));
   }
 
-  /** For surfaces that are not rectangles. */
+  /** Returns the underlying builder, for surfaces that are not rectangles. */
   MeshBuilder mesh() {
     return mesh;
   }
@@ -58,8 +58,8 @@ final class TexturedMeshBuilder {
   /**
    * Adds a rectangle.
    *
-   * @param left where its left edge is in the texture [m]
-   * @param low where its lower edge is in the texture [m]
+   * @param left position of the rectangle's left edge in the texture [m]
+   * @param low position of the rectangle's lower edge in the texture [m]
    */
   void quad(Quad quad, double left, double low) {
     Vec3 normal = quad.normal();
@@ -75,7 +75,9 @@ final class TexturedMeshBuilder {
             vertex(above.plus(quad.right()), normal, right, high)));
   }
 
-  /** Adds the sides of a box, but for some; the texture goes around the upright ones. */
+  /**
+   * Adds all sides of a box except the given ones. The texture continues around the upright sides.
+   */
   void box(Box box, Set<Side> without) {
     double x = box.size.x();
     double y = box.size.y();
@@ -110,7 +112,10 @@ final class TexturedMeshBuilder {
    */
   record Box(Vec3 foot, Vec3 size) {
 
-    /** A side as one sees it from outside; on top the front is up, below it the back. */
+    /**
+     * Returns a side as seen from outside. On the top side, the front is up; on the bottom side,
+     * the back is up.
+     */
     Quad side(Side side) {
       double x = size.x();
       double y = size.y();

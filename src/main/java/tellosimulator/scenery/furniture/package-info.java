@@ -1,11 +1,10 @@
 /**
- * What obstacles look like.
+ * The appearance of obstacles.
  *
- * <p>{@link tellosimulator.scenery.furniture.Furniture} makes the parts of obstacles and their
- * instances; meshes have the sizes with which the simulation computes. Like obstacles share their
- * parts, and like paint its texture. {@link tellosimulator.scenery.furniture.ContactShadows} are
- * the shadows of all of them on the floor around them, {@link
- * tellosimulator.scenery.furniture.CastShadows} those in the key light. The package imports {@code
- * scenery.mesh} and {@code scenery.texture}; what stops a drone is not its job. For any thread.
+ * <p>{@link tellosimulator.scenery.furniture.Furniture} creates the parts of obstacles and their
+ * instances; the meshes have the sizes that the simulation uses. Equal obstacles share their parts,
+ * and equal paints share a texture. {@link tellosimulator.scenery.furniture.FloorShadows} creates
+ * the shadows of obstacles on the floor. The package imports {@code scenery.mesh} and {@code
+ * scenery.texture}. It does not detect collisions. Thread-safe.
  */
 package tellosimulator.scenery.furniture;

@@ -4,18 +4,18 @@ import java.util.List;
 import tellosimulator.math.Vec3;
 
 /**
- * The lights in the room. A surface is as bright as the sum of all of them, at most white.
+ * The lights in the room. The brightness of a surface is the sum of all lights, clamped at white.
  *
- * @param ambient light from all sides
+ * @param ambient light from all directions
  * @param directional parallel lights
  */
 public record Lights(Rgb ambient, List<Directional> directional) {
 
   /**
-   * Parallel light.
+   * A light with parallel rays.
    *
-   * @param color what it adds to a surface that faces it
-   * @param direction in which it shines, a unit vector of the room frame
+   * @param color light that is added to a surface facing the light
+   * @param direction direction in which the light shines, a unit vector in the room frame
    */
   public record Directional(Rgb color, Vec3 direction) {}
 
@@ -24,23 +24,30 @@ public record Lights(Rgb ambient, List<Directional> directional) {
 
   private static final Vec3 FILL = new Vec3(-0.7, 0.5, 0.1).normalized();
 
-  /** A key light from above, and a fill light so that no side is flat. Decided: by eye. */
+  /**
+   * The lights on drones: a key light from above, and a fill light so that no side looks flat.
+   * Decided: by eye.
+   */
   public static final Lights ON_DRONES =
       new Lights(
           Rgb.of(0x86878c),
           List.of(new Directional(Rgb.of(0x8f8b84), KEY), new Directional(Rgb.of(0x2c3038), FILL)));
 
   /**
-   * The same lights, brighter on the sides, so that a thing has nearly the colour that was chosen
-   * for it. Decided: by eye; a top is as bright as its paint, the darkest side has seven tenths of
-   * that.
+   * The lights on furniture. They have the directions of {@link #ON_DRONES}, but brighten the sides
+   * of objects more, so that furniture appears nearly in its configured colour. Decided: by eye;
+   * the top of an object is as bright as its paint, and its darkest side has 70 % of that
+   * brightness.
    */
   public static final Lights ON_FURNITURE =
       new Lights(
           Rgb.of(0xb3b3b4),
           List.of(new Directional(Rgb.of(0x5c5b58), KEY), new Directional(Rgb.of(0x232427), FILL)));
 
-  /** Where the key light that comes by a point above the floor falls on it, room frame [m]. */
+  /**
+   * Projects a point above the floor onto the floor, along the key light. Both points are in the
+   * room frame [m].
+   */
   public static Vec3 onFloor(Vec3 point) {
     return point.plusScaled(KEY, -point.z() / KEY.z());
   }

@@ -1,9 +1,9 @@
 package tellosimulator.scenery.mesh;
 
 /**
- * What a surface looks like.
+ * The appearance of a surface.
  *
- * @param texture its colours and its transparency
- * @param shading how light, transparency and depth act on it
+ * @param texture colours and transparency of the surface
+ * @param shading effect of light, transparency and depth on the surface
  */
 public record Material(Texture texture, Shading shading) {}

@@ -4,13 +4,13 @@ import java.util.List;
 import tellosimulator.math.Vec3;
 
 /**
- * An indexed triangle mesh with normals and texture coordinates. In metres, in its own frame (x
- * ahead, y to the left, z up). Immutable; for any thread. Meshes are compared by identity, so a
- * renderer converts each once.
+ * An indexed triangle mesh with normals and texture coordinates. All lengths are in metres, in the
+ * mesh's own frame (x ahead, y to the left, z up). Immutable. Meshes are compared by identity, so a
+ * renderer converts each mesh only once.
  *
  * <p>The vertices of a triangle are counter-clockwise seen from outside; its back face is culled.
  * Texture coordinates go from 0 at the left to 1 at the right (u), and from 0 at the top to 1 at
- * the bottom (v); beyond that the texture repeats.
+ * the bottom (v). Outside this range the texture repeats.
  */
 public final class Mesh {
 
@@ -20,11 +20,13 @@ public final class Mesh {
   private final int[] faces;
 
   /**
-   * @param positions x, y and z of each [m]
-   * @param normals x, y and z of each, unit vectors
-   * @param texCoords u and v of each
-   * @param faces for each vertex of each triangle the indices of its position, normal and texture
-   *     coordinates: nine numbers a triangle
+   * Creates a mesh from copies of the arrays.
+   *
+   * @param positions x, y and z of each position [m]
+   * @param normals x, y and z of each normal, which is a unit vector
+   * @param texCoords u and v of each pair of texture coordinates
+   * @param faces for each vertex of each triangle, the indices of its position, its normal and its
+   *     texture coordinates: nine numbers for each triangle
    */
   public Mesh(float[] positions, float[] normals, float[] texCoords, int[] faces) {
     this.positions = positions.clone();
@@ -37,7 +39,7 @@ public final class Mesh {
     }
   }
 
-  /** Vectors as a mesh stores them: x, y and z of each. */
+  /** Converts vectors to the format of a mesh: x, y and z of each vector. */
   public static float[] floats(List<Vec3> vectors) {
     float[] floats = new float[3 * vectors.size()];
     int next = 0;
@@ -53,32 +55,32 @@ public final class Mesh {
     return faces.length / 9;
   }
 
-  /** The number of positions. */
+  /** Returns the number of positions. */
   public int positions() {
     return positions.length / 3;
   }
 
-  /** A position [m]. */
+  /** Returns a position [m]. */
   public Vec3 position(int index) {
     return new Vec3(positions[3 * index], positions[3 * index + 1], positions[3 * index + 2]);
   }
 
-  /** A copy of the positions. */
+  /** Returns a copy of the positions. */
   public float[] positionArray() {
     return positions.clone();
   }
 
-  /** A copy of the normals. */
+  /** Returns a copy of the normals. */
   public float[] normalArray() {
     return normals.clone();
   }
 
-  /** A copy of the texture coordinates. */
+  /** Returns a copy of the texture coordinates. */
   public float[] texCoordArray() {
     return texCoords.clone();
   }
 
-  /** A copy of the faces. */
+  /** Returns a copy of the faces. */
   public int[] faceArray() {
     return faces.clone();
   }

@@ -7,8 +7,8 @@ import java.util.Map;
 import tellosimulator.math.Vec3;
 
 /**
- * Batches small meshes that share a material into one mesh, and so into one draw call. Static
- * batching: what is batched cannot move any more.
+ * Merges small meshes of the same material into one mesh, so that only one draw call is needed.
+ * This is static batching: the merged instances can no longer move.
  */
 public final class MeshBatch {
 
@@ -19,7 +19,7 @@ public final class MeshBatch {
 
   private MeshBatch() {}
 
-  /** One part for each material, in the room frame. */
+  /** Returns one part for each material, in the frame of the instances' poses. */
   public static List<Part> of(List<Instance> instances) {
     Map<Material, List<Instance>> byMaterial = new LinkedHashMap<>();
     for (Instance instance : instances) {

@@ -4,42 +4,48 @@ import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.math.Vec3;
 
-/** Collects vertices and triangles and builds one mesh of them. For one thread. */
+/** Collects vertices and triangles and builds one mesh from them. Not thread-safe. */
 public final class MeshBuilder {
 
   /**
    * A vertex.
    *
-   * @param position metres
+   * @param position position of the vertex [m]
    * @param normal unit vector
-   * @param u texture coordinate, 1 is the right edge
-   * @param v texture coordinate, 1 is the lower edge
+   * @param u texture coordinate; 1 is the right edge
+   * @param v texture coordinate; 1 is the lower edge
    */
   public record Vertex(Vec3 position, Vec3 normal, double u, double v) {}
 
   /**
-   * A rectangle, seen from where {@code right} leads to the right and {@code up} upwards.
+   * A rectangle whose front is seen with {@code right} pointing to the right and {@code up}
+   * pointing upwards.
    *
-   * @param corner its lower left corner
-   * @param right along the lower edge
-   * @param up along the left edge
+   * @param corner lower left corner [m]
+   * @param right vector along the lower edge [m]
+   * @param up vector along the left edge [m]
    */
   public record Quad(Vec3 corner, Vec3 right, Vec3 up) {
 
-    /** A square on the floor, centred at the origin, with x upwards. */
+    /**
+     * Returns a square on the floor, centred at the origin. The {@code up} vector of the square
+     * points along the x axis.
+     *
+     * @param size side length of the square [m]
+     */
     public static Quad onFloor(double size) {
       return new Quad(
           new Vec3(-size / 2, size / 2, 0), new Vec3(0, -size, 0), new Vec3(size, 0, 0));
     }
 
-    /** The unit normal, towards those who see it. */
+    /** Returns the unit normal, which points towards the viewer. */
     public Vec3 normal() {
       return right.cross(up).normalized();
     }
   }
 
   /**
-   * A rectangle of a texture in texture coordinates; beyond 1 the texture repeats.
+   * A rectangle within a texture, in texture coordinates; beyond 1 the texture repeats.
    *
    * @param left u of the left edge
    * @param top v of the upper edge
@@ -50,14 +56,13 @@ public final class MeshBuilder {
     public static final TextureRegion WHOLE = new TextureRegion(0, 0, 1, 1);
 
     /**
-     * The whole of a texture that stands alone: from the centre of the first texel to that of the
-     * last, or the edges would wrap around.
-     *
-     * @param texels edge of the texture
+     * Returns the region that shows a whole texture without wrapping around at its edges: from the
+     * centre of the first texel to the centre of the last one.
      */
-    public static TextureRegion unwrapped(int texels) {
-      double texel = 1.0 / texels;
-      return new TextureRegion(texel / 2, texel / 2, 1 - texel, 1 - texel);
+    public static TextureRegion unwrapped(Texture texture) {
+      double across = 1.0 / texture.width();
+      double down = 1.0 / texture.height();
+      return new TextureRegion(across / 2, down / 2, 1 - across, 1 - down);
     }
   }
 
@@ -68,13 +73,13 @@ public final class MeshBuilder {
     return indices.isEmpty();
   }
 
-  /** Adds a vertex; its index. */
+  /** Adds a vertex and returns its index. */
   public int vertex(Vertex vertex) {
     vertices.add(vertex);
     return vertices.size() - 1;
   }
 
-  /** Adds a triangle; its vertices are counter-clockwise seen from outside. */
+  /** Adds a triangle, with its vertices counter-clockwise seen from outside. */
   public void triangle(int a, int b, int c) {
     indices.add(a);
     indices.add(b);
@@ -85,7 +90,7 @@ public final class MeshBuilder {
    * Adds a strip of triangles between two rows of vertices.
    *
    * @param lower from left to right, seen from outside
-   * @param upper as many above them
+   * @param upper the same number of vertices, above the vertices of {@code lower}
    */
   public void strip(List<Vertex> lower, List<Vertex> upper) {
     int first = vertices.size();
@@ -99,7 +104,7 @@ public final class MeshBuilder {
   }
 
   /**
-   * Adds a convex polygon; nothing if that has fewer than three corners.
+   * Adds a convex polygon, or nothing if there are fewer than three corners.
    *
    * @param corners counter-clockwise seen from outside
    */
@@ -111,7 +116,7 @@ public final class MeshBuilder {
     return this;
   }
 
-  /** Adds a rectangle with a region of the texture on it. */
+  /** Adds a rectangle that shows a region of the texture. */
   public MeshBuilder quad(Quad quad, TextureRegion region) {
     Vec3 normal = quad.normal();
     double right = region.left + region.width;
@@ -127,7 +132,7 @@ public final class MeshBuilder {
     return this;
   }
 
-  /** Adds the six sides of a box along the axes, with the whole texture on each. */
+  /** Adds the six sides of an axis-aligned box, with the whole texture on each. */
   public MeshBuilder box(Vec3 middle, Vec3 size) {
     Vec3 depth = new Vec3(size.x(), 0, 0);
     Vec3 width = new Vec3(0, size.y(), 0);
@@ -138,7 +143,7 @@ public final class MeshBuilder {
     return this;
   }
 
-  /** The two sides of a box across an edge. */
+  /** Adds the two sides of a box that are perpendicular to {@code across}. */
   private void sides(Vec3 middle, Vec3 across, Vec3 right, Vec3 up) {
     Vec3 corner = middle.plusScaled(right, -0.5).plusScaled(up, -0.5);
     quad(new Quad(corner.plusScaled(across, 0.5), right, up), TextureRegion.WHOLE);
@@ -146,7 +151,7 @@ public final class MeshBuilder {
     quad(new Quad(other, right.times(-1), up), TextureRegion.WHOLE);
   }
 
-  /** The mesh of all triangles. */
+  /** Builds the mesh from all triangles added so far. */
   public Mesh build() {
     int count = vertices.size();
     float[] texCoords = new float[2 * count];
@@ -165,7 +170,7 @@ public final class MeshBuilder {
         faces);
   }
 
-  /** The mesh of one rectangle that shows a whole texture. */
+  /** Returns a mesh of one rectangle that shows a whole texture. */
   public static Mesh of(Quad quad) {
     return new MeshBuilder().quad(quad, TextureRegion.WHOLE).build();
   }

@@ -5,16 +5,17 @@ import java.util.List;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.MeshBuilder.Vertex;
 
-/** Clips convex polygons (Sutherland-Hodgman). */
+/** Clips convex polygons with the Sutherland-Hodgman algorithm. */
 public final class PolygonClip {
 
   private PolygonClip() {}
 
   /**
-   * What of a polygon is on this side of a plane.
+   * Clips a polygon at a plane and returns the part behind the plane.
    *
-   * @param normal of the plane, a unit vector
-   * @param limit the farthest that is kept, along the normal from the origin [m]
+   * @param normal normal of the plane, a unit vector
+   * @param limit distance of the plane from the origin along the normal [m]; anything beyond it is
+   *     removed
    */
   public static List<Vertex> clipped(List<Vertex> polygon, Vec3 normal, double limit) {
     if (polygon.stream().allMatch(vertex -> vertex.position().dot(normal) <= limit)) {
@@ -37,10 +38,10 @@ public final class PolygonClip {
   }
 
   /**
-   * What of a polygon is inside of a rectangle about the origin, seen from above.
+   * Clips a polygon, seen from above, to a rectangle that is centred at the origin.
    *
-   * @param halfDepth half its edge along x [m]
-   * @param halfWidth half its edge along y [m]
+   * @param halfDepth half the length of the rectangle along x [m]
+   * @param halfWidth half the length of the rectangle along y [m]
    */
   public static List<Vertex> inside(List<Vertex> polygon, double halfDepth, double halfWidth) {
     List<Vertex> inside = polygon;

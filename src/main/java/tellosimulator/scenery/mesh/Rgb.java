@@ -13,18 +13,18 @@ public record Rgb(int red, int green, int blue) {
 
   public static final Rgb BLACK = of(0x000000);
 
-  /** The colour that one writes as #rrggbb. */
+  /** Returns the colour that a number of the form {@code 0xrrggbb} describes. */
   public static Rgb of(int hex) {
     return new Rgb(hex >> 16 & 0xff, hex >> 8 & 0xff, hex & 0xff);
   }
 
-  /** A texel of this colour. */
+  /** Returns an opaque texel of this colour. */
   public int argb() {
     return 0xff << 24 | red << 16 | green << 8 | blue;
   }
 
   /**
-   * The same, translucent.
+   * Returns a translucent texel of this colour.
    *
    * @param opacity 0 to 1
    */
@@ -33,9 +33,9 @@ public record Rgb(int red, int green, int blue) {
   }
 
   /**
-   * A colour on the way to another.
+   * Interpolates linearly between this colour and another.
    *
-   * @param part of the way, 0 to 1
+   * @param part 0 for this colour, 1 for the other
    */
   public Rgb towards(Rgb other, double part) {
     return new Rgb(
@@ -45,25 +45,25 @@ public record Rgb(int red, int green, int blue) {
   }
 
   /**
-   * The same in another light.
+   * Returns a darker shade of this colour.
    *
-   * @param factor of its brightness, 0 to 1
+   * @param factor factor for the brightness, 0 to 1
    */
   public Rgb shaded(double factor) {
     return BLACK.towards(this, factor);
   }
 
   /**
-   * The same, equally bright, but nearer to grey.
+   * Returns a less saturated colour of the same brightness (HSV value).
    *
-   * @param factor of its saturation, 0 to 1
+   * @param factor factor for the saturation, 0 to 1
    */
   public Rgb paler(double factor) {
     int most = Math.max(red, Math.max(green, blue));
     return new Rgb(most, most, most).towards(this, factor);
   }
 
-  /** Luma (ITU-R BT.601), 0 to 1. */
+  /** Returns the luma (ITU-R BT.601), 0 to 1. */
   public double luma() {
     return (0.299 * red + 0.587 * green + 0.114 * blue) / 255;
   }

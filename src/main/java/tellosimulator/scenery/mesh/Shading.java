@@ -2,17 +2,19 @@ package tellosimulator.scenery.mesh;
 
 import java.util.Optional;
 
-/** How light, transparency and depth act on a material. */
+/** The effect of light, transparency and depth on a material. */
 public enum Shading {
-  /** As bright as its texture, into which light and shade are painted. */
+  /** Unlit: displayed in the colours of the texture, into which light and shade are baked. */
   UNLIT,
-  /** Opaque, lit by {@link Lights#ON_DRONES}, with highlights where the renderer has them. */
+  /** Opaque, lit by {@link Lights#ON_DRONES}, with highlights if the renderer supports them. */
   GLOSSY(Lights.ON_DRONES),
   /** Opaque, lit by {@link Lights#ON_FURNITURE}. */
   MATTE(Lights.ON_FURNITURE),
-  /** Unlit and blended onto the surface that it coincides with, by its texture's alpha. */
+  /** Unlit and opaque, on the coplanar surface below it. */
+  PANEL,
+  /** Unlit and blended onto the coplanar surface below it, using the texture's alpha. */
   DECAL,
-  /** Unlit and blended by its texture's alpha; depth tested, but never written to depth. */
+  /** Unlit and blended using the texture's alpha; depth is tested but not written. */
   TRANSLUCENT;
 
   private final Optional<Lights> lights;
@@ -25,12 +27,17 @@ public enum Shading {
     this.lights = Optional.of(lights);
   }
 
-  /** The lights that shine on it; empty if it is unlit. */
+  /** Returns the lights that shine on the material, or an empty result if it is unlit. */
   public Optional<Lights> lights() {
     return lights;
   }
 
-  /** Whether it is blended with what is behind it. */
+  /** Returns whether the material lies on a coplanar surface. */
+  public boolean coplanar() {
+    return this == PANEL || this == DECAL;
+  }
+
+  /** Returns whether the material is blended with the surfaces behind it. */
   public boolean blended() {
     return this == DECAL || this == TRANSLUCENT;
   }

@@ -4,8 +4,8 @@ import java.lang.ref.SoftReference;
 import java.util.function.Supplier;
 
 /**
- * An image on a mesh. Immutable; for any thread. Textures are compared by identity, so a renderer
- * converts each once.
+ * An image on a mesh. Immutable. Textures are compared by identity, so a renderer converts each
+ * texture only once.
  */
 public final class Texture {
 
@@ -13,14 +13,19 @@ public final class Texture {
   private final int height;
   private final Supplier<int[]> source;
 
-  /** What the source gave, until memory is scarce: a camera keeps what it makes of it. */
+  /**
+   * The computed texels. They may be dropped when memory is scarce, because each camera keeps its
+   * own converted copy.
+   */
   private volatile SoftReference<int[]> computed = new SoftReference<>(null);
 
   /**
-   * @param width texels
-   * @param height texels
-   * @param argb row by row from the top, alpha, red, green and blue with 8 bits each, the colours
-   *     not multiplied with alpha
+   * Creates a texture from a copy of its texels.
+   *
+   * @param width width in texels
+   * @param height height in texels
+   * @param argb texels row by row from the top: alpha, red, green and blue with 8 bits each; the
+   *     colours are not premultiplied
    */
   public Texture(int width, int height, int[] argb) {
     this(width, height, constant(argb.clone()));
@@ -38,20 +43,20 @@ public final class Texture {
   }
 
   /**
-   * A texture whose texels are computed when they are first used, as most of a room is not in the
-   * first frame, and again if memory was scarce in between.
+   * Returns a texture whose texels are computed on first use, because most of a room is not visible
+   * in the first frame. If memory has become scarce in the meantime, they are computed again.
    *
-   * @param texels computes what the constructor takes, each time the same; nobody else keeps the
-   *     array
+   * @param texels computes the array that the constructor takes, each time with the same contents;
+   *     must not keep a reference to the array
    */
   public static Texture lazy(int width, int height, Supplier<int[]> texels) {
     return new Texture(width, height, texels);
   }
 
   /**
-   * The same image, through which one sees more.
+   * Returns a more transparent copy of this texture.
    *
-   * @param factor of each texel's opacity, 0 to 1
+   * @param factor factor for the opacity of each texel, 0 to 1
    */
   public Texture faded(double factor) {
     int[] argb = argbArray();
@@ -69,12 +74,12 @@ public final class Texture {
     return height;
   }
 
-  /** A texel. */
+  /** Returns a texel. */
   public int argb(int x, int y) {
     return texels()[y * width + x];
   }
 
-  /** A copy of all texels, row by row. */
+  /** Returns a copy of all texels, row by row. */
   public int[] argbArray() {
     return texels().clone();
   }

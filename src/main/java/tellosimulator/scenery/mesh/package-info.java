@@ -1,8 +1,8 @@
 /**
- * The values of which scenes are made: {@link tellosimulator.scenery.mesh.Mesh}, {@link
+ * The value types that scenes are made of: {@link tellosimulator.scenery.mesh.Mesh}, {@link
  * tellosimulator.scenery.mesh.Texture}, {@link tellosimulator.scenery.mesh.Material}, {@link
- * tellosimulator.scenery.mesh.Part} and {@link tellosimulator.scenery.mesh.Instance}, in the terms
- * of 3D engines. All are immutable and for any thread. The package imports only {@code math}; what
- * a thing looks like, and drawing it, are not its job.
+ * tellosimulator.scenery.mesh.Part} and {@link tellosimulator.scenery.mesh.Instance}. Their names
+ * are those that 3D engines commonly use. All types are immutable. The package imports only {@code
+ * math}. It neither designs particular objects nor renders.
  */
 package tellosimulator.scenery.mesh;

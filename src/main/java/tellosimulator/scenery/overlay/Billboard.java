@@ -11,12 +11,14 @@ import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * A square picture that faces the camera and is equally large from near and far. Immutable; for any
- * thread.
+ * A square image that faces the camera and has the same apparent size at any distance. Immutable.
  */
 final class Billboard {
 
-  /** 1 wide and 1 high in the camera's frame, standing on the origin, seen from behind. */
+  /**
+   * A square with sides of length 1 in the camera's frame. The middle of its lower edge is at the
+   * origin, and it faces the camera.
+   */
   private static final Mesh STANDING =
       MeshBuilder.of(new Quad(new Vec3(0, 0.5, 0), new Vec3(0, -1, 0), Vec3.UP));
 
@@ -29,19 +31,21 @@ final class Billboard {
   }
 
   /**
-   * One that stands on its place.
+   * Creates a billboard whose lower edge is at the place that it marks.
    *
-   * @param size of its edge, as a share of the distance from the camera
+   * @param size side length, as a fraction of the distance from the camera
    */
   static Billboard standing(Texture texture, double size) {
     return new Billboard(STANDING, texture, size);
   }
 
   /**
-   * The picture where a place is seen, but before everything else that is seen there.
+   * Returns the billboard at the point of the screen where a place appears, in front of everything
+   * else there.
    *
-   * @param aside how many of its widths it is moved to the right
-   * @param distance from the camera, so near that nothing is nearer [m]
+   * @param place point in the room frame that the billboard marks [m]
+   * @param aside offset to the right, in widths of the billboard
+   * @param distance distance from the camera [m], so small that nothing is nearer
    */
   Instance inFront(Vec3 place, Pose camera, int aside, double distance) {
     Vec3 way = place.minus(camera.position());

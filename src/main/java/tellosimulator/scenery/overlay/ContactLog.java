@@ -8,27 +8,36 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 
 /**
- * Remembers where drones touched something or crashed, until they are put back to their starts.
- * Written on the simulation thread; to be read on any.
+ * Records where drones touched something or crashed, until they are put back at their starts.
+ * Written on the simulation thread; readable from any thread.
  */
 public final class ContactLog implements SimListener {
 
-  /** Most marks of all drones. Decided: more than can be told apart in a room. */
+  /**
+   * Maximum number of contacts, for all drones together. Decided: more than are distinguishable in
+   * a room.
+   */
   static final int MOST = 200;
 
-  /** Contacts that are nearer are one [m]. Decided: so that who rubs along a wall has few. */
+  /**
+   * Minimum distance between two contacts of the same kind and drone [m]; a nearer contact is not
+   * recorded. Decided: a drone that scrapes along a wall causes only a few contacts.
+   */
   static final double SPACING = 0.1;
 
-  private volatile List<ContactMark> marks = List.of();
+  private volatile List<ContactDecal> marks = List.of();
 
-  /** The marks, the oldest first; the same list until there are other ones. */
-  public List<ContactMark> marks() {
+  /**
+   * Returns the contacts in chronological order. The list stays the same object until the contacts
+   * change.
+   */
+  public List<ContactDecal> marks() {
     return marks;
   }
 
   @Override
   public void event(SimEvent event) {
-    if (event instanceof SimEvent.Restarted) {
+    if (event instanceof SimEvent.RunStarted) {
       marks = List.of();
     } else if (event instanceof SimEvent.DroneFlight flight) {
       happened(flight.drone(), flight.event());
@@ -46,12 +55,15 @@ public final class ContactLog implements SimListener {
   }
 
   private void add(int drone, Vec3 place, boolean crash) {
-    ContactMark mark = new ContactMark(drone, place, crash);
+    ContactDecal mark = new ContactDecal(drone, place, crash);
     marks = with(marks, mark);
   }
 
-  /** Marks with one more, unless one of the same kind is there; the oldest ones give way. */
-  static List<ContactMark> with(List<ContactMark> before, ContactMark mark) {
+  /**
+   * Returns the contacts with another one added, unless the same drone already has a contact of the
+   * same kind within {@link #SPACING}. If there are too many contacts, the oldest are dropped.
+   */
+  static List<ContactDecal> with(List<ContactDecal> before, ContactDecal mark) {
     boolean known =
         before.stream()
             .anyMatch(
@@ -62,7 +74,7 @@ public final class ContactLog implements SimListener {
     if (known) {
       return before;
     }
-    List<ContactMark> all = new ArrayList<>(before);
+    List<ContactDecal> all = new ArrayList<>(before);
     all.add(mark);
     return List.copyOf(all.subList(Math.max(0, all.size() - MOST), all.size()));
   }

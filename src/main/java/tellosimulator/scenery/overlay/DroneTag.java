@@ -8,34 +8,40 @@ import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
-import tellosimulator.scenery.overlay.Marker.Layer;
+import tellosimulator.scenery.overlay.OverlayItem.Layer;
 import tellosimulator.scenery.texture.AlphaMask;
 import tellosimulator.scenery.texture.AlphaMask.Point;
 import tellosimulator.scenery.texture.Canvas;
 import tellosimulator.scenery.texture.StrokeFont;
 
 /**
- * The number of a drone, above it and its ring. That of the chosen one of several drones is larger
- * and in front of all others; of many, the others are smaller. Immutable; for any thread.
+ * The number of a drone, shown above the drone and its ring. The tag of a selected drone is larger
+ * and in front of all others. If there are many drones, the other tags are smaller. Immutable.
  */
 final class DroneTag {
 
   /** Height above the drone's feet [m]. Decided: clear of the propellers. */
   private static final double HEIGHT = 0.07;
 
-  /** Its size, as a share of the distance from the camera. Decided: by eye. */
+  /** Size of a tag, as a fraction of the distance from the camera. Decided: by eye. */
   static final double SIZE = 0.032;
 
-  /** How much larger the tag of a chosen drone is. Decided: to be found among twenty. */
+  /** Scale of a selected drone's tag. Decided: the tag is easy to find among twenty tags. */
   private static final double LARGER = 1.3;
 
-  /** How much smaller those of many others are. Decided: tags of twenty drones hardly overlap. */
+  /**
+   * Scale of the other tags if there are many drones. Decided: the tags of twenty drones hardly
+   * overlap.
+   */
   private static final double SMALLER = 0.7;
 
-  /** More than so many drones are many. Decided: the tags of eight stand side by side. */
+  /**
+   * Number of drones above which {@link #SMALLER} applies. Decided: up to eight tags fit side by
+   * side.
+   */
   private static final int MANY = 8;
 
-  /** Edge of the texture [texels]. */
+  /** Side length of the texture [texels]. */
   private static final int TEXELS = 64;
 
   private static final Point CENTER = new Point(32, 32);
@@ -43,7 +49,9 @@ final class DroneTag {
   private final Map<Emphasis, Billboard> billboards = new EnumMap<>(Emphasis.class);
 
   /**
-   * @param drones how many there are
+   * Creates the tag of a drone.
+   *
+   * @param drones total number of drones
    */
   DroneTag(int number, Livery livery, int drones) {
     Texture texture = texture(number, livery);
@@ -61,12 +69,12 @@ final class DroneTag {
   }
 
   /**
-   * The tag at its place, in front of everything.
+   * Returns the tag above a drone, drawn in front of everything else.
    *
-   * @param drone room frame
-   * @param clear how much higher than the drone it is seen [m]
+   * @param drone pose of the drone in the room frame
+   * @param clear distance above the drone, upwards on the screen, that the tag must leave free [m]
    */
-  Marker above(Pose drone, double clear, Emphasis emphasis, Eye eye) {
+  OverlayItem above(Pose drone, double clear, Emphasis emphasis, Eye eye) {
     Pose camera = eye.pose();
     Vec3 up = camera.attitude().toRoom(Vec3.UP);
     Vec3 place = drone.position().plusScaled(Vec3.UP, HEIGHT).plusScaled(up, clear);
@@ -74,10 +82,10 @@ final class DroneTag {
     double order = emphasis == Emphasis.STRONG ? 0 : distance;
     double near = Layer.DRONE_TAGS.distance(order, eye);
     Instance tag = billboards.get(emphasis).inFront(place, camera, 0, near);
-    return Marker.inFront(Layer.DRONE_TAGS, tag, order);
+    return OverlayItem.inFront(Layer.DRONE_TAGS, tag, order);
   }
 
-  /** White digits on a disc of the drone's colour, with a white rim. */
+  /** Returns a texture with white digits on a disc that has the drone's colour and a white rim. */
   private static Texture texture(int number, Livery livery) {
     return new Canvas(TEXELS, Rgb.WHITE)
         .paint(livery.color(), mask -> mask.dot(CENTER, 28))
@@ -85,7 +93,7 @@ final class DroneTag {
         .cutOut(new AlphaMask(TEXELS).dot(CENTER, 31));
   }
 
-  /** Draws a number in the middle of a mask of 64 pixels. */
+  /** Draws a number in the middle of a mask of 64 × 64 pixels. */
   static void write(AlphaMask mask, int number) {
     String digits = Integer.toString(number);
     double height = digits.length() == 1 ? 32 : 24;

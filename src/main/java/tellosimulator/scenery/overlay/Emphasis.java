@@ -1,23 +1,24 @@
 package tellosimulator.scenery.overlay;
 
-/** How much the path, the plumb line, the ring and the tag of a drone stand out. */
+/** The visual emphasis of a drone's path, plumb line, ring and tag. */
 enum Emphasis {
 
-  /** Of a drone alone, or of several of which none is chosen. */
+  /** A lone drone, or one of several drones while none is selected. */
   NORMAL,
 
-  /** Of the chosen one of several drones. */
+  /** The selected drone among several. */
   STRONG,
 
-  /** Of the others beside a chosen one. */
+  /** All other drones while one is selected. */
   FAINT;
 
   /**
-   * Opacity of a faint line by that of a normal one. Decided: paths of 20 drones can still be seen.
+   * Opacity of a faint line, relative to a normal one. Decided: the paths of 20 drones are still
+   * visible.
    */
   private static final double FAINT_OPACITY = 0.35;
 
-  /** Opacity of a line by that of a normal one, 0 to 1. */
+  /** Returns the opacity of a line relative to a normal one, 0 to 1. */
   double opacity() {
     return this == FAINT ? FAINT_OPACITY : 1;
   }

@@ -3,9 +3,9 @@ package tellosimulator.scenery.overlay;
 import tellosimulator.math.Pose;
 
 /**
- * From where people look at an overlay. Immutable.
+ * The viewpoint from which people look at an overlay. Immutable.
  *
- * @param pose of the camera, room frame; it looks along its x axis
- * @param nearest nearer things are clipped [m]
+ * @param pose pose of the camera in the room frame; the camera looks along its x axis
+ * @param nearest distance of the near clipping plane [m]
  */
 public record Eye(Pose pose, double nearest) {}

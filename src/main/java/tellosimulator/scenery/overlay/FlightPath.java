@@ -5,32 +5,34 @@ import java.util.List;
 import tellosimulator.math.Vec3;
 
 /**
- * A flown path in a bounded number of points: a straight part needs two, and when the path is full,
- * every second point is left out. For one thread.
+ * A flown path that consists of a limited number of points. A straight section needs only two
+ * points. When the path is full, every second point is dropped. Not thread-safe.
  */
 final class FlightPath {
 
-  /** Shortest distance from point to point [m]. Decided: smaller than one sees. */
+  /** Minimum distance between successive points [m]. Decided: too small to be visible. */
   static final double SPACING = 0.02;
 
-  /** How far a point that is left out may be off the path [m]. Decided: smaller than one sees. */
+  /** Maximum deviation of a dropped point from the path [m]. Decided: too small to be visible. */
   private static final double STRAIGHT = 0.002;
 
-  /** Sides of the tube that shows it. */
+  /** Number of sides of the tube that displays the path. */
   static final int SIDES = 3;
 
   private final int capacity;
   private final List<Vec3> points = new ArrayList<>();
 
   /**
-   * @param capacity most points, at least 4
+   * Creates an empty path.
+   *
+   * @param capacity maximum number of points, at least 4
    */
   FlightPath(int capacity) {
     this.capacity = capacity;
   }
 
   /**
-   * The drone is somewhere else.
+   * Extends the path to the drone's new position.
    *
    * @return whether the path has changed
    */
@@ -62,7 +64,7 @@ final class FlightPath {
     return points.get(index);
   }
 
-  /** The corners of a tube along the path, at one of its points. */
+  /** Returns the cross-section of a tube along the path, at one of its points. */
   List<Vec3> ring(int index, LineWidth width) {
     Vec3 point = points.get(index);
     Vec3 next = points.get(Math.min(points.size() - 1, index + 1));
@@ -76,12 +78,20 @@ final class FlightPath {
         point.minus(side).plusScaled(up, -0.5));
   }
 
-  /** Whether a tube that was made for one camera looks right from another. */
+  /**
+   * Returns whether a tube that was built for one camera position also looks right from another
+   * camera position.
+   *
+   * @param made thickness for which the tube was built
+   * @param wanted thickness for the other camera position
+   */
   boolean looksRight(LineWidth made, LineWidth wanted) {
     return points.stream().allMatch(point -> made.suits(wanted, point));
   }
 
-  /** Whether a point lies between two others, and the path goes on in its direction. */
+  /**
+   * Returns whether a point can be dropped because it lies on a straight line between two others.
+   */
   private static boolean isStraight(Vec3 from, Vec3 middle, Vec3 to) {
     Vec3 way = to.minus(from);
     Vec3 part = middle.minus(from);
@@ -91,7 +101,7 @@ final class FlightPath {
     return onward && part.cross(way).norm() / length < STRAIGHT / 4 && length < 1;
   }
 
-  /** Leaves out every second point, but neither the first nor the last. */
+  /** Drops every second point except the first and the last one. */
   private void thinOut() {
     List<Vec3> kept = new ArrayList<>();
     for (int i = 0; i < points.size() - 1; i += 2) {

@@ -4,16 +4,25 @@ import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.math.Vec3;
 
-/** The path of a drone's present flight, and the paths of the flights before it. For one thread. */
+/** The path of a drone's current flight, and the paths of its previous flights. Not thread-safe. */
 final class FlightPaths {
 
-  /** Earlier flights that are kept. Decided: one compares with the last tries, not with all. */
+  /**
+   * Number of previous flights that are kept. Decided: people compare a flight only with their most
+   * recent attempts.
+   */
   static final int EARLIER = 3;
 
-  /** Opacity of the last flight's path. Decided: clearly behind the present one. */
+  /**
+   * Opacity of the path of the previous flight. Decided: clearly less than the opacity of the
+   * current flight's path.
+   */
   private static final double FAINT = 0.4;
 
-  /** Opacity by that of the flight after it. Decided: the oldest can just be seen. */
+  /**
+   * Factor by which the opacity decreases from each flight to the one before it. Decided: the
+   * oldest path is barely visible.
+   */
   private static final double FADING = 0.55;
 
   private final int capacity;
@@ -23,7 +32,9 @@ final class FlightPaths {
   private int changes;
 
   /**
-   * @param capacity most points of a path, at least 4
+   * Creates an empty path for the current flight.
+   *
+   * @param capacity maximum number of points in a path, at least 4
    */
   FlightPaths(int capacity) {
     this.capacity = capacity;
@@ -31,20 +42,21 @@ final class FlightPaths {
   }
 
   /**
-   * How much the path of an earlier flight hides of what is behind it.
+   * Returns the opacity of a previous flight's path.
    *
-   * @param age 1 for the last flight
+   * @param age 1 for the most recent of the previous flights
    */
   static double opacity(int age) {
     return FAINT * StrictMath.pow(FADING, age - 1);
   }
 
   /**
-   * Goes on with the drone; a new flight begins when it takes off.
+   * Extends the current path. A new flight begins when the drone takes off.
    *
-   * @param takingOff whether it takes off; on the ground it may be for less than a frame
-   * @param point where it is
-   * @return whether the present path has changed
+   * @param takingOff whether the drone is taking off. Being on the ground does not mark a new
+   *     flight, because it may last for less than a frame
+   * @param point position of the drone
+   * @return whether the current path has changed
    */
   boolean advance(boolean takingOff, Vec3 point) {
     if (takingOff && !wasTakingOff && present.size() > 1) {
@@ -59,7 +71,7 @@ final class FlightPaths {
     return present.add(point);
   }
 
-  /** Forgets all flights. */
+  /** Removes all flights. */
   void clear() {
     present.clear();
     earlier.clear();
@@ -71,12 +83,12 @@ final class FlightPaths {
     return present;
   }
 
-  /** The newest first. */
+  /** Returns the paths of the previous flights, in order from the most recent to the oldest. */
   List<FlightPath> earlier() {
     return List.copyOf(earlier);
   }
 
-  /** A number that is another one when the earlier paths are. */
+  /** Returns a counter that changes whenever the paths of the previous flights change. */
   int changes() {
     return changes;
   }

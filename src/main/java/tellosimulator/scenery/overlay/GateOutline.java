@@ -13,32 +13,39 @@ import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.world.Shape;
 
-/** What marks the frame of a gate, without its posts: all around it, a little larger. */
+/**
+ * The outline that highlights the frame of a gate, without its posts. It surrounds the frame at a
+ * small distance.
+ */
 final class GateOutline {
 
-  /** How far it stands off the frame [m]. Decided: to be seen around what is one with the frame. */
+  /**
+   * Distance of the outline from the frame [m]. Decided: the outline is visibly in front of the
+   * frame; without a distance, their surfaces would coincide.
+   */
   private static final double MARGIN = 0.012;
 
-  /** Turns what stands on the z axis so that it lies along x. */
+  /** Rotates a shape that extends along z so that it extends along x. */
   static final Attitude ALONG_X = Attitude.tiltedTo(new Vec3(1, 0, 0));
 
   private static final int SIDES = 48;
 
   private GateOutline() {}
 
-  /** Around the frame, in the gate's frame. */
+  /** Creates the outline of a gate, in the gate's frame. */
   static Part of(Shape.Gate gate, Texture texture) {
-    if (gate instanceof Shape.Ring ring) {
-      double tube = ring.tube() / 2;
-      Mesh lying = LatheMesh.torus(ring.radius() + tube, tube + MARGIN, SIDES);
-      Pose upright = new Pose(new Vec3(0, 0, ring.middle()), ALONG_X);
-      Part part = new Part(lying, texture, Shading.TRANSLUCENT);
-      return MeshBatch.of(List.of(new Instance(part, upright))).get(0);
-    }
-    return new Part(of((Shape.Frame) gate), texture, Shading.TRANSLUCENT);
+    return gate.match(ring -> of(ring, texture), frame -> of(frame, texture));
   }
 
-  private static Mesh of(Shape.Frame frame) {
+  private static Part of(Shape.Ring ring, Texture texture) {
+    double tube = ring.tube() / 2;
+    Mesh lying = LatheMesh.torus(ring.radius() + tube, tube + MARGIN, SIDES);
+    Pose upright = new Pose(new Vec3(0, 0, ring.middle()), ALONG_X);
+    Part part = new Part(lying, texture, Shading.TRANSLUCENT);
+    return MeshBatch.of(List.of(new Instance(part, upright))).get(0);
+  }
+
+  private static Part of(Shape.Frame frame, Texture texture) {
     MeshBuilder mesh = new MeshBuilder();
     for (Shape.Beam beam : frame.beams()) {
       double bottom = Math.max(beam.base().z(), frame.post());
@@ -47,6 +54,6 @@ final class GateOutline {
       Vec3 size = beam.size().withZ(top - bottom);
       mesh.box(middle, size.plus(new Vec3(2 * MARGIN, 2 * MARGIN, 2 * MARGIN)));
     }
-    return mesh.build();
+    return new Part(mesh.build(), texture, Shading.TRANSLUCENT);
   }
 }

@@ -11,30 +11,33 @@ import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * Makes ghosts of drones: translucent, and tinted with one colour, as aids for people. Keeps the
- * parts that it has made. For one thread.
+ * Creates ghosts of drones: translucent drones, tinted with one colour, as visual aids for people.
+ * Caches the parts. Not thread-safe.
  */
 public final class GhostDrones {
 
-  /** Decided: by eye; what is behind can be seen through it. */
+  /** Opacity of a ghost. Decided: by eye; objects behind the ghost stay visible. */
   private static final double OPACITY = 0.55;
 
-  /** How far each colour of a drone goes to that of the ghost. Decided: its parts still differ. */
+  /**
+   * Weight of the ghost's colour when it is mixed with the colours of a drone. Decided: the parts
+   * of the drone are still distinguishable.
+   */
   private static final double TINT = 0.6;
 
   private final Rgb color;
   private final Map<Part, Part> ghosts = new HashMap<>();
   private final Map<Material, Material> materials = new HashMap<>();
 
-  /** Ghosts of one colour. */
+  /** Creates a source of ghosts of one colour. */
   public GhostDrones(Rgb color) {
     this.color = color;
   }
 
   /**
-   * The ghosts of drones.
+   * Returns the ghosts of drones.
    *
-   * @param drones their bodies, lamps and propellers, as a scene has them
+   * @param drones bodies, lamps and propellers of the drones, as in a scene
    */
   public List<Instance> of(List<Instance> drones) {
     return drones.stream()

@@ -14,34 +14,39 @@ import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 
-/** The dashed line from a drone to the goal that comes next. For one thread. */
+/** The dashed line from a drone to its next goal. Not thread-safe. */
 final class GoalLine {
 
-  /** A dash and its gap [m]. Decided: by eye. */
+  /** Total length of a dash and the gap after it [m]. Decided: by eye. */
   private static final double DASH = 0.14;
 
-  /** Most dashes; a longer line has longer ones. */
+  /** Maximum number of dashes; if a line would need more, its dashes are longer. */
   private static final int MOST = 120;
 
-  /** A shorter line is none [m]. Decided: within the drone. */
+  /**
+   * Minimum length of a line that is drawn [m]. Decided: a shorter line would be inside the drone.
+   */
   private static final double SHORTEST = 0.1;
 
-  /** Half its thickness [m], as a share of the distance from the camera. Decided: two pixels. */
+  /**
+   * Half the thickness of the line, as a fraction of the distance from the camera. Decided: the
+   * whole line is about two pixels wide.
+   */
   private static final double HALF_WIDTH = 0.0011;
 
   private static final int SIDES = 4;
 
-  /** By the number of dashes. */
+  /** The tubes by the number of their dashes. */
   private final Map<Integer, Mesh> meshes = new HashMap<>();
 
   private final Map<Rgb, Material> materials = new HashMap<>();
 
   /**
-   * A line; empty if the ends are too near to each other.
+   * Returns a line, or an empty result if its ends are too close to each other.
    *
-   * @param from room frame [m]
-   * @param to room frame [m]
-   * @param camera its position, room frame [m]
+   * @param from start of the line in the room frame [m]
+   * @param to end of the line in the room frame [m]
+   * @param camera position of the camera in the room frame [m]
    */
   Optional<Instance> of(Vec3 from, Vec3 to, Rgb color, Vec3 camera) {
     Vec3 way = to.minus(from);
@@ -61,7 +66,7 @@ final class GoalLine {
         new Instance(new Part(mesh, material), pose, new Vec3(radius, radius, length), 1));
   }
 
-  /** Radius 1, from the origin to 1 along z. */
+  /** Returns a tube of radius 1, from z = 0 to z = 1. */
   private static Mesh tube(int dashes) {
     List<LatheMesh.Point> outline = List.of(new LatheMesh.Point(1, 0), new LatheMesh.Point(1, 1));
     return LatheMesh.of(outline, SIDES, new LatheMesh.Range(dashes, 0));

@@ -5,23 +5,24 @@ import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * The translucent textures of goals: light and shade are painted into them, as no light shines on
- * them. All proportions are decided, by eye.
+ * The translucent textures of goals. They are drawn unlit, so light and shade are baked into them.
+ * Decided: all proportions were chosen by eye.
  */
 final class GoalTextures {
 
-  /** Texels around a ball, and from its top to its bottom. */
+  /** Width of the texture of a ball [texels]. */
   private static final int AROUND = 256;
 
+  /** Height of the texture of a ball [texels]. */
   static final int DOWN = 64;
 
-  /** Lines from pole to pole. */
+  /** Number of lines from pole to pole on a ball. */
   private static final int MERIDIANS = 8;
 
-  /** Edge of the texture of a circle [texels]. */
+  /** Side length of the texture of a circle [texels]. */
   private static final int CIRCLE = 128;
 
-  /** Opacity of the white of a circle. */
+  /** Opacity of the white area in a circle. */
   private static final double WHITE = 0.5;
 
   /** Length of the gradient of a beacon, and of a dash with its gap [texels]. */
@@ -30,9 +31,10 @@ final class GoalTextures {
   private GoalTextures() {}
 
   /**
-   * A ball that one can look into, brighter at its top, with an equator and meridians.
+   * Returns the texture of a translucent ball that is brighter at its top and has an equator and
+   * meridians.
    *
-   * @param opacity of the lines, 0 to 1; what is between them hides a third as much
+   * @param opacity opacity of the lines, 0 to 1; the areas between them have a third of it
    */
   static Texture ball(Rgb color, double opacity) {
     int[] argb = new int[AROUND * DOWN];
@@ -52,10 +54,10 @@ final class GoalTextures {
   }
 
   /**
-   * A disc with a strong rim and a ring within, on white through which the floor shines: it is seen
-   * on dark and on light floors.
+   * Returns the texture of a disc with a strong rim and an inner ring on translucent white. The
+   * disc is visible both on dark floors and on light floors.
    *
-   * @param opacity of its rim, 0 to 1
+   * @param opacity opacity of the rim, 0 to 1
    */
   static Texture circle(Rgb color, double opacity) {
     int[] argb = new int[CIRCLE * CIRCLE];
@@ -76,26 +78,34 @@ final class GoalTextures {
     return new Texture(CIRCLE, CIRCLE, argb);
   }
 
-  /** How far a place is within an edge, 0 to 1 over two texels. */
+  /**
+   * Returns the coverage at a given distance from an edge of a circle. The coverage rises from 0 to
+   * 1 over two texels.
+   *
+   * @param within distance as a fraction of half the side length of the texture, positive inside
+   */
   private static double edge(double within) {
     return Math.max(0, Math.min(1, 0.5 + within * CIRCLE / 4));
   }
 
-  /** Light that rises from the rim of a circle and fades. */
+  /** Returns the texture of a beacon: light that rises from the rim of a circle and fades. */
   static Texture beacon(Rgb color) {
     int[] argb = new int[LENGTH];
     Arrays.setAll(argb, row -> color.argb(0.6 * row / (LENGTH - 1)));
     return new Texture(1, LENGTH, argb);
   }
 
-  /** A dash and a gap. */
+  /** Returns the texture of a dash and the gap after it. */
   static Texture dash(Rgb color) {
     int[] argb = new int[LENGTH];
     Arrays.setAll(argb, row -> color.argb(row < LENGTH * 5 / 8 ? 0.9 : 0));
     return new Texture(1, LENGTH, argb);
   }
 
-  /** Something round whose upper side is in the middle of the texture. */
+  /**
+   * Returns the texture of a round surface. The middle of the texture is on the surface's upper
+   * side.
+   */
   static Texture round(Rgb color, double opacity) {
     int[] argb = new int[LENGTH];
     Arrays.setAll(
@@ -108,7 +118,7 @@ final class GoalTextures {
     return new Texture(LENGTH, 1, argb);
   }
 
-  /** One colour everywhere. */
+  /** Returns a texture of one colour. */
   static Texture plain(Rgb color, double opacity) {
     return new Texture(1, 1, new int[] {color.argb(opacity)});
   }

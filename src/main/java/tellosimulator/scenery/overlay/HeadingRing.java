@@ -15,58 +15,76 @@ import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
-import tellosimulator.scenery.overlay.Marker.Layer;
+import tellosimulator.scenery.overlay.OverlayItem.Layer;
 import tellosimulator.scenery.texture.AlphaMask;
 import tellosimulator.scenery.texture.AlphaMask.Arc;
 import tellosimulator.scenery.texture.AlphaMask.Point;
 import tellosimulator.scenery.texture.Canvas;
 
 /**
- * The ring around a drone that is small in the picture, with an arrowhead at its nose's side: where
- * the drone is, and where it looks. It lies level with the drone; seen from the side it leans
- * towards the camera, so that it never closes to a line. Nothing in the room hides it. Immutable;
- * for any thread.
+ * The ring around a drone that appears small on the screen. The ring shows the drone's position; an
+ * arrowhead on the ring, in front of the drone's nose, shows the heading. Seen from above, the ring
+ * is level with the drone; seen from the side, it leans towards the camera, so that it never
+ * collapses to a line. Nothing in the room hides it. Immutable.
  */
 final class HeadingRing {
 
-  /** Height of the drone's middle above its feet [m]. Documented: half of 41 mm. */
+  /**
+   * Height of the drone's middle above its feet [m]. Documented: half of the drone's height of 41
+   * mm.
+   */
   private static final double MIDDLE = 0.02;
 
-  /** Nearer than this a drone needs no ring [m]. Decided: it is 60 pixels wide there. */
+  /**
+   * Minimum distance from the camera at which a drone has a ring [m]. Decided: at this distance a
+   * drone is 60 pixels wide.
+   */
   private static final double NEAREST = 2.5;
 
   /**
-   * Its radius around a drone alone, as a share of the distance from the camera. Decided: by eye.
+   * Radius of the ring around a lone drone, as a fraction of the distance from the camera. Decided:
+   * by eye.
    */
   private static final double RADIUS = 0.034;
 
-  /** From the middle to the tip of the arrowhead, in radii. Decided: by eye. */
+  /**
+   * Distance from the centre to the tip of the arrowhead, as a multiple of the radius. Decided: by
+   * eye.
+   */
   private static final double TIP = 1.9;
 
-  /** From how high above it one sees it at least [rad]. Decided: by eye. */
+  /** Minimum elevation of the camera above the plane of the ring [rad]. Decided: by eye. */
   private static final double LEAST_ELEVATION = Math.toRadians(30);
 
-  /** A brighter ring has a dark rim [luma]. Decided: a light one is lost on a light wall. */
+  /**
+   * Luma above which a ring has a dark rim. Decided: a light rim would be invisible in front of a
+   * light wall.
+   */
   private static final double BRIGHT = 0.7;
 
   private static final Rgb DARK_RIM = Rgb.of(0x24292f);
 
-  /** Edge of the texture, and the ring's radius in it [texels]. */
+  /** Side length of the texture [texels]. */
   private static final int TEXELS = 128;
 
+  /** Radius of the ring in the texture [texels]. */
   private static final double RING = (TEXELS / 2.0 - 4) / TIP;
 
   private static final Point CENTER = new Point(TEXELS / 2.0, TEXELS / 2.0);
 
-  /** Of a ring of radius 1. */
+  /** A square for a ring of radius 1. */
   private static final Mesh MESH = MeshBuilder.of(Quad.onFloor(TEXELS / RING));
 
-  /** Width of its line, and of that around a chosen drone [texels]. Decided: by eye. */
+  /** Line width of a normal ring [texels]. Decided: by eye. */
   private static final double LINE = 4.5;
 
+  /** Line width of the ring around a selected drone [texels]. Decided: by eye. */
   private static final double BOLD_LINE = 9;
 
-  /** How much larger the ring around a chosen drone is. Decided: to be found among twenty. */
+  /**
+   * Scale of the ring around a selected drone. Decided: the ring is easy to find among twenty
+   * rings.
+   */
   private static final double LARGER = 1.4;
 
   private final Part part;
@@ -74,7 +92,9 @@ final class HeadingRing {
   private final double share;
 
   /**
-   * @param drones how many there are
+   * Creates the ring of a drone.
+   *
+   * @param drones total number of drones
    */
   HeadingRing(Livery livery, int drones) {
     share = RADIUS * Enlargement.crowded(drones);
@@ -83,10 +103,12 @@ final class HeadingRing {
   }
 
   /**
-   * The ring of a drone; empty if the drone is large enough without. That of a chosen drone is in
-   * front of all others.
+   * Returns the ring of a drone, or an empty result if the drone is large enough without it. The
+   * ring of a selected drone is in front of all others.
+   *
+   * @param drone pose of the drone in the room frame
    */
-  Optional<Marker> around(Pose drone, Emphasis emphasis, Eye eye) {
+  Optional<OverlayItem> around(Pose drone, Emphasis emphasis, Eye eye) {
     Vec3 middle = drone.position().plusScaled(Vec3.UP, MIDDLE);
     Vec3 camera = eye.pose().position();
     double distance = camera.distanceTo(middle);
@@ -100,7 +122,7 @@ final class HeadingRing {
     Pose pose = new Pose(shown, attitude(drone, eye));
     double radius = share(emphasis) * distance * nearer;
     Instance ring = new Instance(chosen ? bold : part, pose, radius, 1);
-    return Optional.of(Marker.inFront(Layer.RINGS, ring, order));
+    return Optional.of(OverlayItem.inFront(Layer.RINGS, ring, order));
   }
 
   private double share(Emphasis emphasis) {
@@ -108,9 +130,9 @@ final class HeadingRing {
   }
 
   /**
-   * How far a ring reaches up in the picture, beyond the drone's middle [m].
+   * Returns how far the ring extends upwards on the screen, measured from the drone's middle [m].
    *
-   * @param drone room frame
+   * @param drone pose of the drone in the room frame
    */
   double reach(Pose drone, Emphasis emphasis, Eye eye) {
     double distance = eye.pose().position().distanceTo(drone.position());
@@ -124,7 +146,11 @@ final class HeadingRing {
     return share(emphasis) * distance * Math.max(TIP * along, StrictMath.hypot(along, across));
   }
 
-  /** Turned as the drone, and level if one looks down on it. */
+  /**
+   * Returns the attitude of the ring. The ring has the same heading as the drone. It is level if
+   * the elevation of the camera, as seen from the drone, is at least {@link #LEAST_ELEVATION};
+   * otherwise, it leans towards the camera.
+   */
   private static Attitude attitude(Pose drone, Eye eye) {
     Vec3 way = eye.pose().position().minus(drone.position());
     Vec3 level = way.withZ(0);
@@ -147,10 +173,10 @@ final class HeadingRing {
   }
 
   /**
-   * A ring with an arrowhead upwards.
+   * Draws a ring with an arrowhead that points upwards.
    *
-   * @param line width of its line [texels]
-   * @param wider by how much all edges are moved outwards [texels]
+   * @param line width of the line [texels]
+   * @param wider distance by which all edges are moved outwards [texels]
    */
   private static AlphaMask draw(AlphaMask mask, double line, double wider) {
     double tip = CENTER.y() - TIP * RING;

@@ -7,31 +7,34 @@ import tellosimulator.scenery.mesh.Mesh;
 import tellosimulator.scenery.mesh.MeshBuilder;
 import tellosimulator.scenery.mesh.MeshBuilder.Vertex;
 
-/** Builds surfaces of revolution about the z axis, for materials that no light shines on. */
+/** Builds surfaces of revolution about the z axis, for unlit materials. */
 final class LatheMesh {
 
   /**
-   * A point of the outline.
+   * A point of an outline.
    *
-   * @param radius from the axis [m]
-   * @param height along the axis [m]
+   * @param radius distance from the axis [m]
+   * @param height position along the axis [m]
    */
   record Point(double radius, double height) {}
 
   /**
-   * How far a texture goes.
+   * The range of texture coordinates along an outline.
    *
-   * @param first where the outline begins, 0 is the upper edge
-   * @param last where it ends
+   * @param first v at the first point of the outline; 0 is the upper edge of the texture
+   * @param last v at the last point of the outline
    */
   record Range(double first, double last) {
 
-    /** A whole texture from its lower to its upper edge, without what a filter mixes of both. */
+    /**
+     * Returns the range of a whole texture from its lower to its upper edge. It ends at the centres
+     * of the outermost texels, because a filter would blend texels across the edges.
+     */
     static Range upwards(int texels) {
       return new Range(1 - 0.5 / texels, 0.5 / texels);
     }
 
-    /** The same from its upper to its lower edge. */
+    /** Returns the range in the opposite direction. */
     Range reversed() {
       return new Range(last, first);
     }
@@ -40,11 +43,11 @@ final class LatheMesh {
   private LatheMesh() {}
 
   /**
-   * The surface that an outline sweeps. Where the outline goes up, it is seen from outside; where
-   * it goes down, from inside. The texture goes once around.
+   * Returns the surface of revolution of an outline. Where the outline goes up, the surface faces
+   * outwards; where it goes down, the surface faces inwards. The texture goes around the axis once.
    *
-   * @param sides how many flat sides make it round
-   * @param along texture coordinate v of the first and of the last point
+   * @param sides number of flat sides around the axis
+   * @param along texture coordinate v at the first and the last point
    */
   static Mesh of(List<Point> outline, int sides, Range along) {
     MeshBuilder mesh = new MeshBuilder();
@@ -66,7 +69,7 @@ final class LatheMesh {
     return mesh.build();
   }
 
-  /** A ball of radius 1 around the origin. */
+  /** Returns a ball of radius 1 around the origin. */
   static Mesh ball(int sides) {
     List<Point> outline = new ArrayList<>();
     for (int i = 0; i <= sides / 2; i++) {
@@ -77,10 +80,11 @@ final class LatheMesh {
   }
 
   /**
-   * A ring around the origin, in the plane across the axis.
+   * Returns a ring around the origin, in the plane perpendicular to the axis.
    *
-   * @param radius from its middle to that of the tube [m]
+   * @param radius distance from the origin to the centre line of the tube [m]
    * @param tube radius of the tube [m]
+   * @param sides number of flat sides around the axis
    */
   static Mesh torus(double radius, double tube, int sides) {
     int around = 12;

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
-import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.GoalState;
+import tellosimulator.goal.PlacedGoal;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.drone.Livery;
@@ -18,35 +18,39 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * The overlay of a scene as one window shows it: trails, plumb lines, rings and drone tags; goals,
- * the way to the next one, and where drones touched something. It follows the drones from snapshot
- * to snapshot. For one thread at a time.
+ * The overlay of a scene in one window. It shows the trails, plumb lines, rings and tags of the
+ * drones; the goals and the lines to the next goals; and the contacts. It follows the drones from
+ * snapshot to snapshot. Not thread-safe.
  */
 public final class Overlay {
 
-  /** Height above a drone's feet from which the line to its goal begins [m]: its middle. */
+  /**
+   * Height above a drone's feet at which the line to its goal begins [m]: the middle of the drone.
+   */
   private static final double MIDDLE = 0.02;
 
   private final List<Trail> trails = new ArrayList<>();
   private final List<PlumbLine> plumbLines = new ArrayList<>();
   private final List<HeadingRing> rings = new ArrayList<>();
 
-  /** Empty where a drone is alone. */
+  /** The tags of the drones; empty for a lone drone. */
   private final List<DroneTag> tags = new ArrayList<>();
 
   private final Map<Integer, Rgb> colors = new HashMap<>();
-  private final GoalMarkers goalMarkers = new GoalMarkers();
+  private final GoalShapes goalMarkers = new GoalShapes();
   private final GoalTags goalTags = new GoalTags();
   private final GoalLine goalLine = new GoalLine();
-  private final ContactMarkers contactMarkers = new ContactMarkers();
-  private List<GoalMark> goals = List.of();
-  private List<ContactMark> contacts = List.of();
+  private final ContactDecals contactMarkers = new ContactDecals();
+  private List<PlacedGoal> goals = List.of();
+  private List<ContactDecal> contacts = List.of();
   private OptionalInt chosen = OptionalInt.empty();
   private boolean trailsShown = true;
   private boolean goalLineShown = true;
 
   /**
-   * @param first with as many drones as all that follow
+   * Creates an overlay without goals and contacts.
+   *
+   * @param first the first snapshot; all later snapshots must have the same number of drones
    */
   public Overlay(SimSnapshot first) {
     for (DroneSnapshot drone : first.drones()) {
@@ -61,36 +65,39 @@ public final class Overlay {
     }
   }
 
-  /** Shows the trails, or hides them. */
+  /** Shows or hides the trails. */
   public void showTrails(boolean shown) {
     trailsShown = shown;
   }
 
-  /** Shows the line from each drone to its next goal, or hides it. */
+  /** Shows or hides the line from each drone to its next goal. */
   public void showGoalLine(boolean shown) {
     goalLineShown = shown;
   }
 
-  /** Lets one of several drones stand out from now on, by its number; the others are fainter. */
+  /**
+   * Selects a drone by its number. If there are several drones, the selected one stands out and the
+   * others become fainter.
+   */
   public void choose(int drone) {
     chosen = colors.size() > 1 ? OptionalInt.of(drone) : OptionalInt.empty();
   }
 
-  /** Shows these goals and contacts from now on. */
-  public void show(List<GoalMark> newGoals, List<ContactMark> newContacts) {
+  /** Sets the goals and contacts to show. */
+  public void show(List<PlacedGoal> newGoals, List<ContactDecal> newContacts) {
     goals = newGoals;
     contacts = newContacts;
   }
 
-  /** Begins all trails anew. */
+  /** Clears all trails. */
   public void clearTrails() {
     trails.forEach(Trail::clear);
   }
 
   /**
-   * Moves on to a snapshot.
+   * Extends the trails to the positions of the drones in a snapshot.
    *
-   * @param nanos of any steady clock [ns]
+   * @param nanos time on any monotonic clock [ns]
    */
   public void advance(SimSnapshot snapshot, long nanos) {
     for (int i = 0; i < trails.size(); i++) {
@@ -99,8 +106,8 @@ public final class Overlay {
   }
 
   /**
-   * The overlay of a snapshot, in drawing order: lines first, then what is translucent, the
-   * farthest first, as the nearer is blended over it.
+   * Returns the overlay of a snapshot in drawing order: first the lines, then the translucent items
+   * from the farthest to the nearest, because nearer items are blended over the items behind them.
    */
   public List<Instance> instances(SimSnapshot snapshot, Eye eye) {
     List<Instance> instances = new ArrayList<>();
@@ -122,17 +129,17 @@ public final class Overlay {
       }
     }
     markers(drones, eye).stream()
-        .sorted(Comparator.comparingDouble(Marker::distance).reversed())
-        .map(Marker::instance)
+        .sorted(Comparator.comparingDouble(OverlayItem::distance).reversed())
+        .map(OverlayItem::instance)
         .forEach(instances::add);
     return instances;
   }
 
-  /** From balls in the air that are not done, so that one sees above what they hang. */
+  /** Adds plumb lines below the balls that are in the air and have not been reached yet. */
   private void addGoalPlumbLines(List<Instance> instances, Vec3 camera) {
-    for (GoalMark goal : goals) {
+    for (PlacedGoal goal : goals) {
       if (goal.state() != GoalState.DONE
-          && goal.place() instanceof GoalMark.Ball ball
+          && goal.place() instanceof PlacedGoal.Ball ball
           && ball.middle().z() > ball.radius()) {
         Vec3 bottom = ball.middle().plusScaled(Vec3.UP, -ball.radius());
         boolean active = goal.state() == GoalState.ACTIVE;
@@ -142,7 +149,10 @@ public final class Overlay {
     }
   }
 
-  /** Indices of the drones: first the chosen one, whose path is seen through those of others. */
+  /**
+   * Returns the indices of the drones. The selected drone comes first, so its path is visible
+   * through the paths of the others.
+   */
   private List<Integer> inDrawingOrder(List<DroneSnapshot> drones) {
     return IntStream.range(0, drones.size())
         .boxed()
@@ -159,14 +169,14 @@ public final class Overlay {
 
   private void addGoalLine(List<Instance> instances, DroneSnapshot drone, Vec3 camera) {
     Vec3 from = drone.state().motion().position().plusScaled(Vec3.UP, MIDDLE);
-    GoalMark.next(goals, drone.state().drone())
+    PlacedGoal.next(goals, drone.state().drone())
         .flatMap(mark -> goalLine.of(from, mark.place().middle(), color(mark), camera))
         .ifPresent(instances::add);
   }
 
-  private List<Marker> markers(List<DroneSnapshot> drones, Eye eye) {
-    List<Marker> markers = new ArrayList<>(goalMarkers.of(goals, this::color, eye));
-    for (ContactMark contact : contacts) {
+  private List<OverlayItem> markers(List<DroneSnapshot> drones, Eye eye) {
+    List<OverlayItem> markers = new ArrayList<>(goalMarkers.of(goals, this::color, eye));
+    for (ContactDecal contact : contacts) {
       markers.add(contactMarkers.of(contact, eye));
     }
     for (int i = 0; i < rings.size(); i++) {
@@ -179,15 +189,15 @@ public final class Overlay {
       }
     }
     Map<Vec3, Integer> at = new HashMap<>();
-    for (GoalMark mark : goals) {
+    for (PlacedGoal mark : goals) {
       int aside = at.merge(mark.place().middle(), 1, Integer::sum) - 1;
       markers.add(goalTags.of(mark, color(mark), aside, eye));
     }
     return markers;
   }
 
-  private Rgb color(GoalMark mark) {
-    Rgb ofAny = MarkColors.of(mark.state());
-    return MarkColors.of(mark, drone -> colors.getOrDefault(drone, ofAny));
+  private Rgb color(PlacedGoal mark) {
+    Rgb ofAny = OverlayColors.of(mark.state());
+    return OverlayColors.of(mark, drone -> colors.getOrDefault(drone, ofAny));
   }
 }

@@ -19,31 +19,32 @@ import tellosimulator.scenery.texture.AlphaMask.Point;
 import tellosimulator.scenery.texture.Canvas;
 
 /**
- * The dashed line from a drone straight down to the floor, in another colour than its path, and a
- * target of the drone's colour where it meets the floor; or the line alone, from what hangs in the
- * air. Immutable; for any thread.
+ * The dashed line from a drone straight down to the floor. The line and the drone's path have
+ * different colours. A target in the drone's colour marks the point at which the line meets the
+ * floor. Below an object that is not a drone, there is only the line. Immutable.
  */
 final class PlumbLine {
 
-  /** Below this height there is none [m]. Decided. */
+  /** Height up to which a drone counts as being on the ground and has no line [m]. Decided. */
   private static final double LOWEST = 0.03;
 
-  /** Its width, as a share of the distance from the camera. Decided: two or three pixels. */
+  /**
+   * Width of the line, as a fraction of the distance from the camera. Decided: two or three pixels.
+   */
   private static final double WIDTH = 0.0025;
 
   private static final Rgb COLOR = Rgb.of(0x4d5761);
 
-  /** Decided: by eye. */
+  /** Opacity of a dash. Decided: by eye. */
   private static final double OPACITY = 0.75;
 
-  /**
-   * Dashes between drone and floor, and texels of each and of the gap below it. Decided: by eye.
-   */
+  /** Number of dashes between drone and floor. Decided: by eye. */
   private static final int DASHES = 12;
 
+  /** Number of texels in each dash, and in the gap below it. Decided: by eye. */
   private static final int TEXELS = 6;
 
-  /** 1 wide and 1 high, seen from where x leads. */
+  /** A square with sides of length 1 that faces along x. */
   private static final Mesh MESH =
       MeshBuilder.of(new Quad(new Vec3(0, -0.5, 0), new Vec3(0, 1, 0), Vec3.UP));
 
@@ -52,13 +53,16 @@ final class PlumbLine {
   private static final Part LINE = part(MESH, DASHED, Emphasis.NORMAL);
   private static final Part FAINT_LINE = part(MESH, DASHED, Emphasis.FAINT);
 
-  /** Radius of the target, as a share of the distance from the camera. Decided: by eye. */
+  /** Radius of the target, as a fraction of the distance from the camera. Decided: by eye. */
   private static final double RADIUS = 0.014;
 
-  /** Least radius of the target [m]. Decided: by eye. */
+  /** Minimum radius of the target [m]. Decided: by eye. */
   private static final double LEAST_RADIUS = 0.05;
 
-  /** Above the floor [m]. Decided: it does not flicker from 10 m away, nor over goals' circles. */
+  /**
+   * Height of the target above the floor [m]. Decided: seen from 10 m away, the target does not
+   * flicker, even above the circle of a goal.
+   */
   private static final double OFFSET = 0.009;
 
   private static final int TEXELS_OF_TARGET = 64;
@@ -92,11 +96,11 @@ final class PlumbLine {
   }
 
   /**
-   * The line, which turns to the camera about the vertical axis, and the target; empty while a
-   * drone is down.
+   * Returns the line and the target, or an empty list while the drone is on the ground. The line is
+   * turned about the vertical axis so that it faces the camera.
    *
-   * @param drone its position, room frame [m]
-   * @param camera its position, room frame [m]
+   * @param drone position of the drone in the room frame [m]
+   * @param camera position of the camera in the room frame [m]
    */
   List<Instance> from(Vec3 drone, Vec3 camera, Emphasis emphasis) {
     if (drone.z() <= LOWEST) {
@@ -109,10 +113,10 @@ final class PlumbLine {
   }
 
   /**
-   * The line alone.
+   * Returns the line without a target.
    *
-   * @param top where it begins, above the floor, room frame [m]
-   * @param camera its position, room frame [m]
+   * @param top upper end of the line in the room frame, above the floor [m]
+   * @param camera position of the camera in the room frame [m]
    */
   static Instance line(Vec3 top, Vec3 camera, Emphasis emphasis) {
     Vec3 towards = camera.minus(top);

@@ -16,25 +16,30 @@ import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * The path that a drone has flown, as a thin tube in the air; those of earlier flights are fainter,
- * as are all of a drone beside a chosen one. The last few points are a mesh of their own, which
- * changes some times a second and is small; the long one behind it changes only when these have
- * become many, or when the camera comes so near that the tube would be too thick. Measured: with
- * one mesh a path, twenty drones that circle took half of a processor for nothing else. For one
- * thread.
+ * The path that a drone has flown, as a thin tube in the air. Previous flights are fainter. While
+ * another drone is selected, all flights of this drone are fainter. The last few points are in a
+ * separate small mesh, which changes about eight times a second. The long mesh behind it is rebuilt
+ * less often, mainly when the small mesh has reached its maximum size, or when the camera has moved
+ * so far that the tube would look too thick or too thin. Measured: with a single mesh for each
+ * path, the trails of twenty circling drones alone took up half of a processor. Not thread-safe.
  */
 final class Trail {
 
-  /** Most points. Decided: enough for minutes, cheap enough to draw. */
+  /** Maximum number of points. Decided: enough for minutes of flight, and cheap enough to draw. */
   private static final int CAPACITY = 384;
 
-  /** Most points of the part that changes often. Decided. */
+  /**
+   * Maximum number of points in the mesh that changes often. Decided: few enough to rebuild it at
+   * each update.
+   */
   private static final int RECENT = 24;
 
-  /** Shortest time from update to update [ns]. Decided. */
+  /** Minimum time between updates [ns]. Decided. */
   private static final long UPDATE_PERIOD = 120_000_000;
 
-  /** Height above the drone's feet [m]. Documented: half of 41 mm. */
+  /**
+   * Height of the path above the drone's feet [m]. Documented: half of the drone's height of 41 mm.
+   */
   private static final double MIDDLE = 0.02;
 
   private final Rgb color;
@@ -50,7 +55,10 @@ final class Trail {
   private long now;
   private long lastUpdate;
 
-  /** Index of the last settled point, which is the first recent one; later ones may still move. */
+  /**
+   * Index of the last point in the long mesh. The small mesh begins with the same point. Later
+   * points may still move.
+   */
   private int settledTo;
 
   private int sizeBefore;
@@ -63,9 +71,9 @@ final class Trail {
   }
 
   /**
-   * Goes on to where the drone is; begins anew when it was put to its start.
+   * Follows the drone. The trail starts from scratch when the drone has been put back at its start.
    *
-   * @param nanos of any steady clock [ns]
+   * @param nanos time on any monotonic clock [ns]
    */
   void advance(DroneSnapshot drone, long nanos) {
     Pose pose = drone.state().motion().pose();
@@ -78,7 +86,7 @@ final class Trail {
     now = nanos;
   }
 
-  /** Forgets all flights; the next update is due at once. */
+  /** Removes all flights. The next update is due immediately. */
   void clear() {
     paths.clear();
     changed = true;
@@ -86,10 +94,10 @@ final class Trail {
   }
 
   /**
-   * All paths; the same instances as long as nothing has changed. Only this makes meshes, so that
-   * what nobody sees costs next to nothing.
+   * Returns all paths. The instances stay the same as long as nothing has changed. Meshes are built
+   * only here, so a hidden trail costs next to nothing.
    *
-   * @param camera its position, room frame [m]
+   * @param camera position of the camera in the room frame [m]
    */
   List<Instance> instances(Vec3 camera, Emphasis wantedEmphasis) {
     LineWidth wanted = new LineWidth(camera);
@@ -118,9 +126,9 @@ final class Trail {
   }
 
   /**
-   * Makes the meshes of what has changed.
+   * Rebuilds the meshes that have changed.
    *
-   * @param all of all paths
+   * @param all whether to rebuild the meshes of all paths
    */
   private void update(boolean all) {
     boolean anotherFlight = paths.changes() != shownFlights;
@@ -130,8 +138,8 @@ final class Trail {
     }
     FlightPath path = paths.present();
     int end = path.size() - 1;
-    boolean anew = all || anotherFlight || path.size() < sizeBefore; // cleared, or thinned out
-    if (anew || end - settledTo >= RECENT) {
+    boolean rebuilt = all || anotherFlight || path.size() < sizeBefore; // cleared or thinned out
+    if (rebuilt || end - settledTo >= RECENT) {
       settledTo = Math.max(0, end - 1);
       settled = tube(path, 0, settledTo, material);
     }
@@ -150,9 +158,9 @@ final class Trail {
   }
 
   /**
-   * That of a path.
+   * Returns the material of a path.
    *
-   * @param opacity of a drone that is not faint
+   * @param opacity opacity before the drone's emphasis is applied, 0 to 1
    */
   private Material material(double opacity) {
     double shown = opacity * emphasis.opacity();
@@ -160,7 +168,7 @@ final class Trail {
     return new Material(texture, shown < 1 ? Shading.TRANSLUCENT : Shading.UNLIT);
   }
 
-  /** Part of a path; empty unless it has two points. */
+  /** Returns a section of a path, or an empty list if the section has fewer than two points. */
   private List<Instance> tube(FlightPath path, int first, int end, Material material) {
     if (end <= first) {
       return List.of();
@@ -178,7 +186,7 @@ final class Trail {
         int other = (side + 1) % sides;
         int[] quad = {near + side, near + other, far + other, near + side, far + other, far + side};
         for (int vertex : quad) {
-          faces[next] = vertex; // with the only normal and texture coordinates
+          faces[next] = vertex; // the other two indices of the vertex stay 0
           next += 3;
         }
       }

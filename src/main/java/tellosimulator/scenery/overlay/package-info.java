@@ -1,9 +1,8 @@
 /**
- * Aids that help people to see where drones are and where they shall go: flown paths, lines
- * straight down to the floor, rings that show headings, drone tags, goals, and where a drone
- * touched something. {@link tellosimulator.scenery.overlay.Overlay} makes them for one window;
- * whatever renders a scene renders them too, but no drone's camera sees them. {@link
- * tellosimulator.scenery.overlay.MarkColors} holds for plans and reports as well. For one thread at
- * a time.
+ * Visual aids that show people where drones are and where they must go: flown paths, plumb lines
+ * down to the floor, rings that show headings, drone tags, goals, and contacts. {@link
+ * tellosimulator.scenery.overlay.Overlay} creates them for one window. Every renderer of a scene
+ * draws them, but drones' cameras do not see them. {@link
+ * tellosimulator.scenery.overlay.OverlayColors} also applies to plans and reports. Not thread-safe.
  */
 package tellosimulator.scenery.overlay;

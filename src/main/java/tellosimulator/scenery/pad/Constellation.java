@@ -7,9 +7,9 @@ import tellosimulator.scenery.texture.AlphaMask;
 import tellosimulator.scenery.texture.AlphaMask.Point;
 
 /**
- * The stars on a pad: figures of the sky, simplified by hand, each in a field 1 wide and 0.6 high.
- * Colours: those of Okabe and Ito (Color Universal Design, 2008), which people with any kind of
- * colour vision can tell apart.
+ * The stars on a pad: simplified constellations of the real sky, each in a field that is 1 wide and
+ * 0.6 high. The colours are based on the palette of Okabe and Ito (Color Universal Design, 2008),
+ * and are distinguishable with any kind of colour vision.
  */
 enum Constellation {
   CASSIOPEIA(0xd55e00, 0, 0.1, 0.24, 0.5, 0.47, 0.2, 0.72, 0.58, 1, 0.15),
@@ -45,12 +45,16 @@ enum Constellation {
     }
   }
 
-  /** That of a pad, from 1. */
+  /**
+   * Returns the constellation of a pad.
+   *
+   * @param id number of the pad, from 1
+   */
   static Constellation of(int id) {
     return values()[id - 1];
   }
 
-  /** The second colour of the pad. */
+  /** Returns the accent colour of the pad with this constellation. */
   Rgb color() {
     return color;
   }

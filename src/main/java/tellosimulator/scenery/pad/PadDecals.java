@@ -12,15 +12,15 @@ import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Room;
 
-/** The decals of mission pads, each made when it is first used. For any thread. */
+/** Creates the decals of mission pads, each on first use. Thread-safe. */
 public final class PadDecals {
 
-  /** In the pad's frame: the upper edge of the texture is where x points. */
+  /** A square in the pad's frame. The x axis points to the upper edge of the texture. */
   private final Mesh mesh = MeshBuilder.of(Quad.onFloor(MissionPad.EDGE));
 
   private final Map<Integer, Part> decals = new ConcurrentHashMap<>();
 
-  /** The pads of a room. */
+  /** Returns the decals of a room's pads. */
   public List<Instance> instances(Room room, List<MissionPad> pads) {
     return pads.stream().map(pad -> new Instance(decal(pad.id()), pad.pose(room))).toList();
   }

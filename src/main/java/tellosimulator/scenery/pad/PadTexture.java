@@ -12,12 +12,15 @@ import tellosimulator.scenery.texture.Canvas;
 import tellosimulator.scenery.texture.StrokeFont;
 
 /**
- * The texture of a mission pad: its number on a planet, a rocket that starts upwards, and the stars
- * of a constellation, another one for each number. Decided: all of it.
+ * The texture of a mission pad: its number on a planet, a rocket that flies upwards, and stars in a
+ * different constellation for each number. Decided: the whole design.
  */
 final class PadTexture {
 
-  /** Edge of the texture [texels]: 0.4 mm each, finer than a camera sees it from 30 cm. */
+  /**
+   * Side length of the texture [texels]. A texel is 0.4 mm wide, which is finer than a camera
+   * resolves from 30 cm.
+   */
   static final int SIZE = 512;
 
   private static final Rgb PAPER = Rgb.of(0xfbfaf6);
@@ -27,12 +30,12 @@ final class PadTexture {
   private static final double PLANET_RADIUS = 114;
   private static final double NUMBER_HEIGHT = 152;
 
-  /** Tip of the rocket. */
+  /** The tip of the rocket. */
   private static final Point TIP = new Point(380, 64);
 
   private PadTexture() {}
 
-  /** The texture of a pad, painted when it is first used. */
+  /** Returns the texture of a pad. The texture is painted on first use. */
   static Texture of(int id) {
     return Texture.lazy(SIZE, SIZE, () -> painted(id).argb());
   }
@@ -63,7 +66,7 @@ final class PadTexture {
         4);
   }
 
-  /** Fins and hull: pointed above, slender below. */
+  /** Draws the fins, and a hull that is pointed at the top and slender at the bottom. */
   private static void hull(AlphaMask mask) {
     List<Point> outline = new ArrayList<>();
     outline.addAll(side(1));
@@ -78,7 +81,7 @@ final class PadTexture {
     mask.fill(List.of(at(-26, 280), at(26, 280), at(34, 304), at(-34, 304)));
   }
 
-  /** From the tip down. */
+  /** Returns one side of the hull, from the tip down. */
   private static List<Point> side(int sign) {
     return List.of(
         at(0, 0),
@@ -114,7 +117,7 @@ final class PadTexture {
             at(-34, 340)));
   }
 
-  /** A place from the rocket's tip. */
+  /** Converts a position relative to the tip of the rocket to a point in the texture. */
   private static Point at(double right, double down) {
     return new Point(TIP.x() + right, TIP.y() + down);
   }

@@ -1,8 +1,8 @@
 /**
- * What mission pads look like.
+ * The appearance of mission pads.
  *
- * <p>{@link tellosimulator.scenery.pad.PadDecals} makes the decals of a room's pads; their textures
- * are drawn in code. The package imports {@code scenery.mesh} and {@code scenery.texture} and is
- * for any thread. What a drone makes of a pad is not its job.
+ * <p>{@link tellosimulator.scenery.pad.PadDecals} creates the decals of a room's pads. Their
+ * textures are drawn in code. The package imports {@code scenery.mesh} and {@code scenery.texture}.
+ * It does not detect pads. Thread-safe.
  */
 package tellosimulator.scenery.pad;

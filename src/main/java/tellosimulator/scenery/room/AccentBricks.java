@@ -6,15 +6,15 @@ import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * The bricks of the front wall in the hue of a room's accent. Each texel is as bright as in the
- * file, as far as the hue has such a color, so that programs find as many features; mortar keeps
- * its color.
+ * The bricks of the front wall, tinted with a room's accent colour. Each texel keeps its brightness
+ * as far as the new hue allows, so programs find the same number of features. Mortar keeps its
+ * colour.
  */
 final class AccentBricks {
 
   private AccentBricks() {}
 
-  /** The usual ones if there is no accent. */
+  /** Returns the tinted bricks, or the default bricks if there is no accent. */
   static Texture of(OptionalInt accent) {
     Texture bricks = SurfaceTexture.BRICKS.texture();
     if (accent.isEmpty()) {
@@ -27,7 +27,10 @@ final class AccentBricks {
         () -> Arrays.stream(bricks.argbArray()).map(texel -> tinted(texel, wanted)).toArray());
   }
 
-  /** Takes away the usual hue, as far as a texel has it, and adds as much of the wanted one. */
+  /**
+   * Replaces the default hue with the wanted hue, in proportion to how much of the default hue the
+   * texel has.
+   */
   private static int tinted(int texel, Rgb wanted) {
     Rgb usual = CalmTextures.ACCENT;
     Rgb was = Rgb.of(texel);

@@ -12,41 +12,53 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
 /**
- * The ambient occlusion where floor, walls and ceiling meet. It is baked into the textures of walls
- * and ceiling; on the floor, whose texture repeats, strips along its edges lie over it. Either
- * costs next to nothing when the room changes, and is the same in each renderer.
+ * The ambient occlusion where the floor, walls and ceiling of a calm room ({@code Walls.AUTO})
+ * meet. It is baked into the textures of the walls and the ceiling. The texture of the floor
+ * repeats, so strips of shade are drawn along the edges of the floor instead. Both methods add
+ * almost no cost when the room changes, and look the same in every renderer.
  */
 final class AmbientOcclusion {
 
-  /** How far the shade reaches from an edge [m]. Decided: by eye. */
+  /** Reach of the shade from an edge [m]. Decided: by eye. */
   private static final double REACH = 0.9;
 
-  /** The same, as a part of a face's shorter edge. */
+  /** Maximum reach, as a fraction of the shorter side of a face. */
   private static final double LARGEST_PART = 0.4;
 
   /**
-   * How far it reaches down a wall, compared with that. Decided: by eye; people look into the room
-   * from above, through the ceiling.
+   * Reach downwards from the ceiling, as a fraction of the normal reach. Decided: by eye; it is
+   * shorter because people look into the room from above, through the ceiling.
    */
   private static final double BELOW_CEILING = 0.5;
+
+  /**
+   * Reach on the floor, as a fraction of the normal reach. Decided: by eye; the wider the strips,
+   * the longer a camera takes to render them.
+   */
+  private static final double ON_FLOOR = 0.4;
 
   /** Opacity right at an edge. Decided: by eye. */
   private static final double DARKEST = 0.22;
 
-  /** Warm, as light that wood and plaster reflect. Decided: by eye. */
+  /**
+   * Colour of the shade: warm, like light that is reflected by wood and plaster. Decided: by eye.
+   */
   private static final Rgb SHADE = Rgb.of(0x1c1813);
 
   private static final Texture TEXTURE = Falloff.texture(SHADE, DARKEST);
 
   private AmbientOcclusion() {}
 
-  /** Four strips, which multiply in the corners of the floor, room frame. */
+  /**
+   * Returns four strips along the edges of the floor, in the room frame. They overlap in the
+   * corners, which are therefore darker.
+   */
   static Part onFloor(Room room) {
     Face floor = Face.of(room, Surface.FLOOR);
     Vec3 right = floor.right().times(floor.width());
     Vec3 up = floor.up().times(floor.height());
-    Vec3 inwards = floor.right().times(reach(floor));
-    Vec3 upwards = floor.up().times(reach(floor));
+    Vec3 inwards = floor.right().times(ON_FLOOR * reach(floor));
+    Vec3 upwards = floor.up().times(ON_FLOOR * reach(floor));
     Vec3 corner = floor.quad().corner();
     Vec3 opposite = corner.plus(right).plus(up);
     MeshBuilder strips =
@@ -59,10 +71,10 @@ final class AmbientOcclusion {
   }
 
   /**
-   * A colour at a place on a wall or the ceiling.
+   * Returns the shaded colour at a place on a wall or the ceiling.
    *
-   * @param across from the left edge to the right one, 0 to 1
-   * @param up from the lower edge to the upper one, 0 to 1
+   * @param across position from the left edge to the right one, 0 to 1
+   * @param up position from the lower edge to the upper one, 0 to 1
    */
   static Rgb shaded(Rgb color, Face face, double across, double up) {
     double left = Math.min(across, 1 - across) * face.width();

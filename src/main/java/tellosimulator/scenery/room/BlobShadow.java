@@ -18,12 +18,15 @@ import tellosimulator.world.Obstacles;
 
 /**
  * The blob shadows of drones: soft round decals straight below them, on the floor or on an
- * obstacle. They shrink and fade as a drone rises, but never vanish. Keeps the spatial index of the
- * latest obstacles. For any thread.
+ * obstacle. They shrink and fade as a drone rises, but never vanish. The spatial index of the most
+ * recent obstacles is cached. Thread-safe.
  */
 public final class BlobShadow {
 
-  /** Radius on the floor [m]: a little more than the drone. Decided: by eye. */
+  /**
+   * Radius of the shadow of a drone that stands on the floor [m]: a little larger than the drone.
+   * Decided: by eye.
+   */
   private static final double LARGEST = 0.15;
 
   private static final double SMALLEST = 0.08;
@@ -32,26 +35,38 @@ public final class BlobShadow {
 
   private static final double LIGHTEST = 0.22;
 
-  /** Height at which half of the change has happened [m]. Decided: by eye. */
+  /**
+   * Height at which size and opacity of the shadow are halfway between their extremes [m]. Decided:
+   * by eye.
+   */
   private static final double HALF_HEIGHT = 1.2;
 
   private static final Vec3 DOWN = Vec3.UP.times(-1);
 
-  /** From here above its feet a ray goes down, so that it may stand on something [m]. Decided. */
+  /**
+   * Height above the drone's feet at which the downward ray starts [m]. The ray must start above
+   * the feet in case the drone stands on something. Decided.
+   */
   private static final double ABOVE = 0.01;
 
-  /** What differs by less is the same height [m]. Decided: far more than rounding does. */
+  /**
+   * Heights that differ by less than this are considered equal [m]. Decided: far more than rounding
+   * errors.
+   */
   private static final double LEVEL = 0.002;
 
-  /** How much narrower each next try is. Decided: by eye. */
+  /**
+   * Factor by which the radius shrinks with each attempt to fit the shadow on an obstacle. Decided:
+   * by eye.
+   */
   private static final double NARROWER = 0.7;
 
-  /** Narrowest shadow [m]. Decided: by eye. */
+  /** Radius below which a shadow does not become narrower [m]. Decided: by eye. */
   private static final double NARROWEST = 0.02;
 
   private static final int DIRECTIONS = 8;
 
-  /** Made for the first drone. */
+  /** The part that all shadows share; it is created together with the first shadow. */
   private static final class Shared {
     static final Part PART = new Part(MeshBuilder.of(Quad.onFloor(2)), texture(), Shading.DECAL);
   }
@@ -61,15 +76,20 @@ public final class BlobShadow {
   private volatile Index index = new Index(List.of(), Obstacles.of(Arena.DEFAULT));
 
   /**
-   * Where a shadow falls, and how.
+   * The place and appearance of a shadow.
    *
-   * @param height of what it falls on, above the floor [m]
-   * @param radius metres
+   * @param height height above the floor of the surface on which the shadow falls [m]
+   * @param radius radius in metres
    * @param opacity 0 to 1
    */
   record Shadow(double height, double radius, double opacity) {
 
-    /** A shadow that falls on something high [m] from a drone so far above it [m]. */
+    /**
+     * Creates the shadow of a drone on a surface below it.
+     *
+     * @param height height of the surface above the floor [m]
+     * @param above height of the drone above the surface [m]
+     */
     static Shadow on(double height, double above) {
       double near = HALF_HEIGHT / (HALF_HEIGHT + Math.max(0, above));
       return new Shadow(
@@ -82,9 +102,9 @@ public final class BlobShadow {
   }
 
   /**
-   * The shadow of a drone as a decal.
+   * Returns the shadow of a drone as a decal.
    *
-   * @param position of the drone, room frame [m]
+   * @param position position of the drone, in the room frame [m]
    */
   public Instance of(Arena arena, Vec3 position) {
     Shadow shadow = cast(arena, position);
@@ -92,7 +112,10 @@ public final class BlobShadow {
     return new Instance(Shared.PART, below, shadow.radius, shadow.opacity);
   }
 
-  /** On an obstacle it is so narrow that it does not stand out over the edge. */
+  /**
+   * Casts a shadow. On an obstacle, the shadow is made narrower until it does not extend beyond the
+   * edge of the obstacle.
+   */
   Shadow cast(Arena arena, Vec3 position) {
     Obstacles obstacles = obstacles(arena);
     double height = height(obstacles, position);
@@ -106,14 +129,19 @@ public final class BlobShadow {
   private Obstacles obstacles(Arena arena) {
     Index latest = index;
     List<Obstacle> list = arena.obstacles();
-    if (latest.list != list) { // not equals, which takes 20 ms when it is first called
+    if (latest.list != list) { // by identity: the first call of equals takes 20 ms
       latest = new Index(list, Obstacles.of(arena));
       index = latest;
     }
     return latest.obstacles;
   }
 
-  /** Whether all around is as high as the middle, or higher. */
+  /**
+   * Returns whether none of the points sampled on a circle around the position is lower than the
+   * surface below the position.
+   *
+   * @param radius radius of the circle [m]
+   */
   private static boolean level(Obstacles obstacles, Vec3 position, double radius) {
     double middle = height(obstacles, position);
     for (int i = 0; i < DIRECTIONS; i++) {
@@ -131,7 +159,7 @@ public final class BlobShadow {
     return down < from ? from - down : 0;
   }
 
-  /** Black, with an alpha that falls off towards the rim. */
+  /** Creates a black texture whose alpha falls off towards the rim. */
   private static Texture texture() {
     int size = 64;
     int[] argb = new int[size * size];

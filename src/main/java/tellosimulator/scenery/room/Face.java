@@ -6,15 +6,17 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
 /**
- * One of the six sides of a room, seen from inside. Coordinates on it are metres to the right of
- * its middle, and metres upwards: on a wall from the floor, on floor and ceiling from their middle.
+ * One of the six sides of a room, seen from inside. Its coordinates are in metres, to the right and
+ * upwards. Horizontally, they are measured from the middle. Vertically, they are measured from the
+ * floor on a wall, and from the middle on the floor and the ceiling.
  *
- * @param origin of its coordinates, room frame [m]
- * @param right unit vector
- * @param up unit vector; on the floor to the front wall, on the ceiling to the back wall
- * @param width metres
- * @param height metres
- * @param bottom where its lower edge is, upwards from the origin [m]
+ * @param origin origin of the face's coordinates, in the room frame [m]
+ * @param right unit vector to the right, in the room frame
+ * @param up unit vector upwards, in the room frame; on the floor it points towards the front wall,
+ *     on the ceiling towards the back wall
+ * @param width width in metres
+ * @param height height in metres
+ * @param bottom position of the lower edge, upwards from the origin [m]
  */
 record Face(Vec3 origin, Vec3 right, Vec3 up, double width, double height, double bottom) {
 
@@ -38,17 +40,17 @@ record Face(Vec3 origin, Vec3 right, Vec3 up, double width, double height, doubl
     return new Face(foot, ahead.cross(Vec3.UP), Vec3.UP, width, room.height(), 0);
   }
 
-  /** All of it. */
+  /** Returns the rectangle of the whole face. */
   Quad quad() {
     return quad(area());
   }
 
-  /** Where all of it is. */
+  /** Returns the whole face as an area. */
   Area area() {
     return new Area(-width / 2, bottom, width, height);
   }
 
-  /** A horizontal band as wide as the face. */
+  /** Returns a horizontal band that is as wide as the face. */
   Quad band(double lower, double bandHeight) {
     return quad(new Area(-width / 2, lower, width, bandHeight));
   }
@@ -56,19 +58,22 @@ record Face(Vec3 origin, Vec3 right, Vec3 up, double width, double height, doubl
   /**
    * A rectangle on a face.
    *
-   * @param left of its left edge [m]
-   * @param lower of its lower edge [m]
-   * @param width metres
-   * @param height metres
+   * @param left position of the left edge [m]
+   * @param lower position of the lower edge [m]
+   * @param width width in metres
+   * @param height height in metres
    */
   record Area(double left, double lower, double width, double height) {
 
-    /** Of its upper edge [m]. */
+    /** Returns the position of the upper edge [m]. */
     double upper() {
       return lower + height;
     }
 
-    /** What it shares with another one; without width or height if that is nothing. */
+    /**
+     * Returns the intersection with another area. If there is none, the width or height of the
+     * result is 0.
+     */
     Area within(Area other) {
       double newLeft = Math.max(left, other.left);
       double newLower = Math.max(lower, other.lower);

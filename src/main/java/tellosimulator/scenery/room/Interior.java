@@ -1,7 +1,7 @@
 package tellosimulator.scenery.room;
 
 import java.util.ArrayList;
-import java.util.EnumMap;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,21 +19,24 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
 /**
- * The inside of a room: floor, walls and ceiling, and the decals on them. It has no outside but the
- * slab on which it stands: a wall between the camera and the room is a back face and not drawn.
- * Keeps what it made for the latest room of each finish. For any thread.
+ * The inside of a room: floor, walls and ceiling, and the decals on them. The room has no outside
+ * except the slab on which it stands. From outside, a camera sees through the nearest walls,
+ * because their back faces are culled. The parts of the most recent room are cached. Thread-safe.
  */
 public final class Interior {
 
-  /** Brightness of plain walls across the depth; so one sees the corners. Decided: by eye. */
+  /**
+   * Brightness of the plain side walls, relative to the other walls. They are darker so that the
+   * corners are visible. Decided: by eye.
+   */
   private static final double SHADE = 0.955;
 
-  /** The uppermost texels of a wall, for a plain ceiling. */
+  /** The uppermost texels of a wall's texture, used for a plain ceiling. */
   private static final TextureRegion CEILING = new TextureRegion(0, 0, 1, 0.001);
 
-  private record Look(Room room, Decor decor) {}
+  private record RoomKey(Room room, Decor decor) {}
 
-  /** A value and its key, kept until another key comes. */
+  /** A cache that holds only the value of the most recent key. */
   private static final class Cached<K, V> {
 
     private final Function<K, V> compute;
@@ -53,8 +56,8 @@ public final class Interior {
     }
   }
 
-  private final Map<Finish, Cached<Look, List<Instance>>> instances = new EnumMap<>(Finish.class);
-  private final Map<Finish, Cached<Look, List<Instance>>> onSlab = new EnumMap<>(Finish.class);
+  private final Cached<RoomKey, List<Instance>> instances = new Cached<>(this::make);
+  private final Cached<RoomKey, List<Instance>> onSlab = new Cached<>(this::withSlab);
   private final Posters posters = new Posters();
   private final Cached<Double, Texture> plainFloor = new Cached<>(PlainTextures::floor);
   private final Cached<Double, Texture> texturedFloor = new Cached<>(Parquet.TEXTURED::texture);
@@ -67,41 +70,38 @@ public final class Interior {
   private final Cached<Double, Texture> shadedWall =
       new Cached<>(height -> PlainTextures.wall(height, SHADE));
 
-  public Interior() {
-    for (Finish finish : Finish.values()) {
-      instances.put(finish, new Cached<>(look -> make(look, finish)));
-      onSlab.put(finish, new Cached<>(look -> withSlab(look, finish)));
-    }
+  /**
+   * Returns the parts of the room in drawing order. The list stays the same object until the room
+   * or its decor changes.
+   */
+  public synchronized List<Instance> instances(Room room, Decor decor) {
+    return instances.get(new RoomKey(room, decor));
   }
 
-  /** The room, in drawing order; the same list while room and decor are the same. */
-  public synchronized List<Instance> instances(Room room, Decor decor, Finish finish) {
-    return instances.get(finish).get(new Look(room, decor));
+  /** Returns the room on its slab, for cameras that may be outside. */
+  public synchronized List<Instance> onSlab(Room room, Decor decor) {
+    return onSlab.get(new RoomKey(room, decor));
   }
 
-  /** The same on its slab, for those who may look from outside. */
-  public synchronized List<Instance> onSlab(Room room, Decor decor, Finish finish) {
-    return onSlab.get(finish).get(new Look(room, decor));
-  }
-
-  private List<Instance> withSlab(Look look, Finish finish) {
+  private List<Instance> withSlab(RoomKey look) {
     List<Instance> all = new ArrayList<>();
     Slab.parts(look.room).forEach(part -> all.add(Instance.atOrigin(part)));
-    all.addAll(instances.get(finish).get(look));
+    all.addAll(instances.get(look));
     return List.copyOf(all);
   }
 
-  private List<Instance> make(Look look, Finish finish) {
+  private List<Instance> make(RoomKey look) {
     Room room = look.room;
     List<Part> parts =
-        switch (finish) {
+        switch (look.decor.walls()) {
           case PLAIN -> plain(room, look.decor.grid());
           case TEXTURED -> textured(room, look.decor);
-          case CALM -> calm(room, look.decor);
+          case AUTO -> calm(room, look.decor);
         };
     List<Part> all = new ArrayList<>(parts);
-    all.add(MeterMarks.part(room, finish));
+    all.add(Ruler.part(room, look.decor.walls()));
     all.addAll(posters.parts(room, look.decor.posters()));
+    all.sort(Comparator.comparing(part -> part.material().shading())); // decals last
     return List.copyOf(all.stream().map(Instance::atOrigin).toList());
   }
 
@@ -135,7 +135,10 @@ public final class Interior {
     parts.add(wall(Face.of(room, Surface.BACK_WALL), SurfaceTexture.HEXAGONS.texture()));
     parts.add(wall(Face.of(room, Surface.LEFT_WALL), SurfaceTexture.BOARDS.texture()));
     parts.add(wall(Face.of(room, Surface.RIGHT_WALL), SurfaceTexture.TRIANGLES.texture()));
-    parts.addAll(Trim.TEXTURED.parts(room));
+    parts.add(Trim.skirting(room));
+    if (room.height() > 1) {
+      parts.add(Trim.lines(room));
+    }
     return parts;
   }
 
@@ -145,7 +148,7 @@ public final class Interior {
     calmWalls
         .get(new Plaster(room, decor.accent()))
         .forEach((surface, plaster) -> parts.add(plastered(Face.of(room, surface), plaster)));
-    parts.addAll(Trim.CALM.parts(room));
+    parts.add(Trim.skirting(room));
     parts.addAll(RoomWindows.parts(room));
     parts.addAll(RoomDoor.parts(room));
     parts.add(AmbientOcclusion.onFloor(room));
@@ -160,7 +163,7 @@ public final class Interior {
   }
 
   private static Part plastered(Face face, Texture plaster) {
-    TextureRegion whole = TextureRegion.unwrapped(plaster.width());
+    TextureRegion whole = TextureRegion.unwrapped(plaster);
     return painted(new MeshBuilder().quad(face.quad(), whole), plaster);
   }
 
@@ -177,10 +180,12 @@ public final class Interior {
   }
 
   /**
-   * So many tiles on floor or ceiling that the middle of the face is at a place of a tile.
+   * Returns the texture region for a tiled floor or ceiling. At the middle of the face, the region
+   * shows a given place of a tile.
    *
-   * @param tile its edge [m]
-   * @param place in parts of the tile from its left and from its top
+   * @param tile side length of the tile [m]
+   * @param place position within the tile, as a fraction of its side length from the left and from
+   *     the top
    */
   private static TextureRegion centered(Face face, double tile, double place) {
     double across = face.width() / tile;
@@ -188,7 +193,12 @@ public final class Interior {
     return new TextureRegion(firstEdge(across, place), firstEdge(down, place), across, down);
   }
 
-  /** Where in a tile the first edge of all is, from 0 to 1. */
+  /**
+   * Returns the position within a tile at which the left or upper edge of a face lies, 0 to 1.
+   *
+   * @param tiles number of tiles across or down the face
+   * @param place position within a tile that the middle of the face shows, 0 to 1
+   */
   private static double firstEdge(double tiles, double place) {
     double edge = place - tiles / 2;
     return edge - Math.floor(edge);

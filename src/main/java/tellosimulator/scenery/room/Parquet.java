@@ -5,11 +5,11 @@ import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.scenery.texture.ProceduralTexture;
 
 /**
- * Wooden floors with the lines of the grid on them. Their tile holds whole cells of the grid, so it
- * is only about as wide as a {@link SurfaceTexture#TILE}; what is on it becomes wider or narrower.
+ * Wooden floors with grid lines. A tile must hold a whole number of grid cells, so its side length
+ * only approximates {@link SurfaceTexture#TILE}, and the wood on it is stretched accordingly.
  */
 enum Parquet {
-  /** Wood with much contrast, which a camera sees. */
+  /** High-contrast wood with lines that are clearly visible to a camera. */
   TEXTURED(Rgb.of(0x33302c), 0.6, 1) {
     @Override
     Texture wood() {
@@ -17,7 +17,7 @@ enum Parquet {
     }
   },
 
-  /** Light wood, whose lines are fainter than a drone's shadow. */
+  /** Light wood with lines that are fainter than a drone's shadow. */
   CALM(Rgb.of(0x6e5f4c), 0.36, 0.45) {
     @Override
     Texture wood() {
@@ -25,7 +25,7 @@ enum Parquet {
     }
   };
 
-  /** Half the width of the thinnest line, before its {@link #width} [texels]. */
+  /** Half the width of the thinnest line, before it is multiplied by {@link #width} [texels]. */
   private static final double THINNEST = 1.5;
 
   private final int line;
@@ -33,9 +33,11 @@ enum Parquet {
   private final double width;
 
   /**
-   * @param line colour of the lines. Decided: by eye, as the rest
-   * @param opacity of the lines, 0 to 1
-   * @param width of the lines, compared with those of textured floors
+   * Creates a floor. Decided: all three values, by eye.
+   *
+   * @param line colour of the lines
+   * @param opacity opacity of the lines, 0 to 1
+   * @param width width of the lines, relative to the lines of {@link #TEXTURED}
    */
   Parquet(Rgb line, double opacity, double width) {
     this.line = line.argb();
@@ -43,18 +45,18 @@ enum Parquet {
     this.width = width;
   }
 
-  /** A tile without lines. */
+  /** Returns a tile without lines. */
   abstract Texture wood();
 
-  /** How many cells of a grid are in a tile, across and down. */
+  /** Returns the number of grid cells in a tile, across and down. */
   static int cells(double grid) {
     return (int) Math.max(1, Math.round(SurfaceTexture.TILE / grid));
   }
 
   /**
-   * A tile. Lines cross in the middle of its first cell.
+   * Returns a tile with lines that cross in the middle of each grid cell.
    *
-   * @param grid distance from line to line [m]
+   * @param grid distance between lines [m]
    */
   Texture texture(double grid) {
     int size = SurfaceTexture.SIZE;
@@ -73,7 +75,10 @@ enum Parquet {
     return argb;
   }
 
-  /** How opaque the lines are at each texel across, which is the same down. */
+  /**
+   * Returns the opacity of the lines for each column of texels. The values for the rows are the
+   * same.
+   */
   private double[] lineOpacity(double grid) {
     double cell = (double) SurfaceTexture.SIZE / cells(grid);
     double halfLine = width * Math.max(THINNEST, (0.0035 / grid + 0.0075) * cell);

@@ -4,7 +4,10 @@ import java.util.Arrays;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
 
-/** The textures of plain rooms: a grid on the floor, a line on the walls each metre. */
+/**
+ * The textures of plain rooms ({@code Walls.PLAIN}): a grid on the floor, and a horizontal line on
+ * the walls at each metre.
+ */
 final class PlainTextures {
 
   private static final Rgb FLOOR = Rgb.of(0xd9d4ca);
@@ -24,9 +27,9 @@ final class PlainTextures {
   private PlainTextures() {}
 
   /**
-   * A tile of the floor, its lines through the middle.
+   * Returns a tile of the floor, with lines through its middle.
    *
-   * @param grid edge of the tile [m]
+   * @param grid side length of the tile [m]
    */
   static Texture floor(double grid) {
     int[] pixels = new int[TILE * TILE];
@@ -44,10 +47,10 @@ final class PlainTextures {
   }
 
   /**
-   * A strip of a wall from floor to ceiling.
+   * Returns a strip of a wall from floor to ceiling.
    *
-   * @param height of the room [m]
-   * @param shade brightness, 1 as it is
+   * @param height height of the room [m]
+   * @param shade brightness factor; 1 leaves the brightness unchanged
    */
   static Texture wall(double height, double shade) {
     int[] pixels = new int[STRIP_WIDTH * STRIP_HEIGHT];

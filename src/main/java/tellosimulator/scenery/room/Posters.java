@@ -14,12 +14,12 @@ import tellosimulator.scenery.texture.ImageTexture;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
 
-/** The posters in a room. For one thread at a time. */
+/** Creates the posters in a room. Not thread-safe. */
 final class Posters {
 
   private final ImageCache images = new ImageCache();
 
-  /** The posters as parts of a room, room frame, in the order in which they are drawn. */
+  /** Returns the posters as parts in drawing order, in the room frame. */
   List<Part> parts(Room room, List<Poster> posters) {
     List<Part> parts = new ArrayList<>();
     for (Poster poster : posters) {
@@ -43,8 +43,8 @@ final class Posters {
   }
 
   /**
-   * What is on a part of a poster. The whole goes from the centre of the first texel to that of the
-   * last, or its edges would wrap around.
+   * Returns the texture region for the visible area of a poster. A whole poster reaches from the
+   * centre of the first texel to the centre of the last one, so that its edges do not wrap around.
    */
   private static TextureRegion region(Area whole, Area seen, Texture texture) {
     double across = (1 - 1.0 / texture.width()) / whole.width();

@@ -14,26 +14,29 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
 /**
- * The door of a calm room, at the right end of its front wall, by which people tell how large the
- * room is. It is flat: painted on the wall. A room that is too small for it has none. Decided: all
- * of it, by eye; sizes as of most doors.
+ * The door of a calm room ({@code Walls.AUTO}), at the right end of the front wall. It shows people
+ * how large the room is. The door is flat: it is painted on the wall. A room that is too small for
+ * a door has none. Decided: the whole design, by eye; the sizes are typical of doors.
  */
 final class RoomDoor {
 
-  /** Of the door with its frame [m]. */
+  /** Width of the door with its frame [m]. */
   private static final double WIDTH = 1.0;
 
   private static final double HEIGHT = 2.1;
 
-  /** From the door to the room's corner, and to the ceiling at least [m]. */
+  /** Distance from the door to the corner of the room, and minimum distance to the ceiling [m]. */
   private static final double CLEARANCE = 0.3;
 
   private static final double FRAME = 0.07;
 
-  /** The edge of the leaf [m]. */
+  /** Width of the dark edge around the door leaf [m]. */
   private static final double GAP = 0.008;
 
-  /** From the edge of the leaf, and from its rails' middles, to its inset panels [m]. */
+  /**
+   * Distance of the inset panels from the edge of the door leaf, and from the centre lines of its
+   * rails [m].
+   */
   private static final double STILE = 0.13;
 
   /** Width of the bevel around a panel [m]. */
@@ -51,15 +54,15 @@ final class RoomDoor {
 
   private RoomDoor() {}
 
-  /** The door, room frame; nothing if it does not fit in. */
+  /** Returns the door in the room frame, or an empty list if it does not fit. */
   static List<Part> parts(Room room) {
     Face wall = Face.of(room, Surface.FRONT_WALL);
     if (wall.width() < WIDTH + 2 * CLEARANCE || wall.height() < HEIGHT + CLEARANCE) {
       return List.of();
     }
     Area area = new Area(wall.width() / 2 - CLEARANCE - WIDTH, 0, WIDTH, HEIGHT);
-    Mesh mesh = new MeshBuilder().quad(wall.quad(area), TextureRegion.unwrapped(SIZE)).build();
-    return List.of(new Part(mesh, TEXTURE, Shading.DECAL));
+    Mesh mesh = new MeshBuilder().quad(wall.quad(area), TextureRegion.unwrapped(TEXTURE)).build();
+    return List.of(new Part(mesh, TEXTURE, Shading.PANEL));
   }
 
   private static int texel(int x, int y) {
@@ -85,7 +88,13 @@ final class RoomDoor {
         && Math.abs(above - HANDLE_HEIGHT) < (fromEdge < 0.08 ? 0.05 : 0.014);
   }
 
-  /** Two inset panels, one above the other. */
+  /**
+   * Returns the colour of the door leaf at a place. The leaf has two inset panels, one above the
+   * other.
+   *
+   * @param inLeaf distance from the leaf's left, right or upper edge, whichever is nearest [m]
+   * @param above height above the floor [m]
+   */
   private static Rgb leaf(double inLeaf, double above) {
     double fromRail = Math.min(Math.abs(above - HANDLE_HEIGHT), above);
     double inPanel = Math.min(inLeaf, fromRail) - STILE;

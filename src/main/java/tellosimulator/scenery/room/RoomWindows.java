@@ -13,46 +13,49 @@ import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.scenery.room.Face.Area;
+import tellosimulator.scenery.texture.Falloff;
 import tellosimulator.scenery.texture.ProceduralTexture;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
 /**
- * The windows of a calm room, side by side in its left wall, and the daylight that falls through
- * them on the floor along the key light. They are flat: painted on the wall. A room that is too low
- * for them has none. Decided: all of it, by eye; sizes as in a classroom.
+ * The windows of a calm room ({@code Walls.AUTO}), and the daylight on its floor. The windows are
+ * side by side in the left wall. The daylight falls through them in the direction of the key light.
+ * The windows are flat: they are painted on the wall. A room that is too low for windows has none.
+ * Decided: the whole design, by eye; the sizes are typical of classroom windows.
  */
 final class RoomWindows {
 
-  /** Of a window with its frame [m]. */
+  /** Width of a window with its frame [m]. */
   private static final double WIDTH = 1.2;
 
   private static final double HEIGHT = 1.25;
 
-  /** Of its lower edge above the floor [m]. */
+  /** Height of the lower edge of a window above the floor [m]. */
   private static final double SILL = 0.95;
 
-  /** From its upper edge to the ceiling at least [m]. */
+  /** Minimum distance from the upper edge of a window to the ceiling [m]. */
   private static final double LINTEL = 0.2;
 
-  /** From the middle of a window to the next one's, at least and at most [m]. */
+  /** Minimum distance between the centres of adjacent windows [m]. */
   private static final double LEAST_SPACING = 1.55;
 
   private static final double MOST_SPACING = 2;
 
-  /** Of the frame [m]; the bars have the same. */
+  /** Width of the frame and of the bars [m]. */
   private static final double FRAME = 0.05;
 
-  /** Of the middle of the horizontal bar above the lower edge [m]. */
+  /** Height of the centre line of the horizontal bar above the lower edge of the window [m]. */
   private static final double CROSSBAR = 0.85;
 
-  /** How far the sill board stands out at either side, and how high it is [m]. */
+  /** Overhang of the sill board on either side, and thickness of the board [m]. */
   private static final double BOARD = 0.045;
 
-  /** Below the board [m]. */
+  /** Height of the shadow below the sill board [m]. */
   private static final double SHADE = 0.1;
 
   private static final int SIZE = 256;
+  private static final int BOARD_SIZE = 16;
   private static final int LIGHT_SIZE = 64;
 
   private static final Rgb WHITE = Rgb.of(0xf6f4ef);
@@ -61,15 +64,25 @@ final class RoomWindows {
   private static final Rgb HORIZON = Rgb.of(0xeef4f5);
   private static final Rgb DAYLIGHT = Rgb.of(0xfff3d6);
 
-  /** Opacity of the light on the floor. */
+  /** Maximum opacity of the light on the floor. */
   private static final double BRIGHTEST = 0.42;
 
   private static final Texture WINDOW = ProceduralTexture.of(SIZE, () -> RoomWindows::window);
+  private static final Texture SILL_BOARD =
+      ProceduralTexture.of(
+          BOARD_SIZE, () -> (x, y) -> (y < 0.3 * BOARD_SIZE ? WHITE : WHITE.shaded(0.86)).argb());
+  private static final Texture UNDER_SILL = Falloff.texture(Rgb.BLACK, 0.22);
+
+  /** The region that shows a falloff upside down, so that it is darkest at the upper edge. */
+  private static final TextureRegion UNDER =
+      new TextureRegion(
+          0, Falloff.REGION.top() + Falloff.REGION.height(), 1, -Falloff.REGION.height());
+
   private static final Texture LIGHT = ProceduralTexture.of(LIGHT_SIZE, () -> RoomWindows::light);
 
   private RoomWindows() {}
 
-  /** The windows and their light, room frame; nothing if they do not fit in. */
+  /** Returns the windows and their light in the room frame, or an empty list if they do not fit. */
   static List<Part> parts(Room room) {
     Face wall = Face.of(room, Surface.LEFT_WALL);
     int count = count(wall.width());
@@ -78,33 +91,37 @@ final class RoomWindows {
     }
     double spacing = Math.min(MOST_SPACING, wall.width() / count);
     MeshBuilder windows = new MeshBuilder();
+    MeshBuilder boards = new MeshBuilder();
+    MeshBuilder shades = new MeshBuilder();
     MeshBuilder light = new MeshBuilder();
     for (int i = 0; i < count; i++) {
       double middle = (i - (count - 1) / 2.0) * spacing;
-      Area painted =
-          new Area(
-              middle - WIDTH / 2 - BOARD,
-              SILL - BOARD - SHADE,
-              WIDTH + 2 * BOARD,
-              HEIGHT + BOARD + SHADE);
-      windows.quad(wall.quad(painted), TextureRegion.unwrapped(SIZE));
-      light.polygon(onFloor(room, wall, new Area(middle - WIDTH / 2, SILL, WIDTH, HEIGHT)));
+      Area glazed = new Area(middle - WIDTH / 2, SILL, WIDTH, HEIGHT);
+      Area board = new Area(glazed.left() - BOARD, SILL - BOARD, WIDTH + 2 * BOARD, BOARD);
+      windows.quad(wall.quad(glazed), TextureRegion.unwrapped(WINDOW));
+      boards.quad(wall.quad(board), TextureRegion.unwrapped(SILL_BOARD));
+      shades.quad(
+          wall.quad(new Area(board.left(), board.lower() - SHADE, board.width(), SHADE)), UNDER);
+      light.polygon(onFloor(room, wall, glazed));
     }
     return List.of(
+        new Part(windows.build(), WINDOW, Shading.PANEL),
+        new Part(boards.build(), SILL_BOARD, Shading.PANEL),
         new Part(light.build(), LIGHT, Shading.DECAL),
-        new Part(windows.build(), WINDOW, Shading.DECAL));
+        new Part(shades.build(), UNDER_SILL, Shading.DECAL));
   }
 
   /**
-   * As many on either side of the wall's middle, where posters and pads are hung and at least a
-   * quarter of a metre is free; or one alone.
+   * Returns the number of windows: the same number on either side of the wall's middle, or a single
+   * window. If there are several, at least a quarter of a metre stays free in the middle of the
+   * wall, where posters and pads hang.
    */
   private static int count(double wallWidth) {
     int pairs = (int) Math.floor(wallWidth / (2 * LEAST_SPACING));
     return pairs == 0 && wallWidth >= LEAST_SPACING ? 1 : 2 * pairs;
   }
 
-  /** Where the light through a part of the wall falls on the floor. */
+  /** Returns the area of the floor on which light falls through an opening in the wall. */
   private static List<Vertex> onFloor(Room room, Face wall, Area opening) {
     List<Vertex> corners = new ArrayList<>();
     double right = opening.left() + opening.width();
@@ -120,26 +137,11 @@ final class RoomWindows {
     return new Vertex(Lights.onFloor(place), Vec3.UP, u, v);
   }
 
-  /** A texel of a window with its board. */
+  /** Returns a texel of the frame, the bars or the glass. */
   private static int window(int x, int y) {
-    double across = ((x + 0.5) / SIZE - 0.5) * (WIDTH + 2 * BOARD);
-    double above = HEIGHT - (y + 0.5) / SIZE * (HEIGHT + BOARD + SHADE);
-    if (above < -BOARD) {
-      double near = 1 + (above + BOARD) / SHADE;
-      return Math.abs(across) < WIDTH / 2 + BOARD ? Rgb.BLACK.argb(0.22 * near * near) : 0;
-    }
-    if (above < 0) {
-      return (above > -0.3 * BOARD ? WHITE : WHITE.shaded(0.86)).argb();
-    }
-    double fromSide = WIDTH / 2 - Math.abs(across);
-    if (fromSide < 0) {
-      return 0;
-    }
-    return glazed(across, above, Math.min(fromSide, Math.min(above, HEIGHT - above)));
-  }
-
-  /** A texel of frame, bars or glass. */
-  private static int glazed(double across, double above, double fromEdge) {
+    double across = ((x + 0.5) / SIZE - 0.5) * WIDTH;
+    double above = (1 - (y + 0.5) / SIZE) * HEIGHT;
+    double fromEdge = Math.min(WIDTH / 2 - Math.abs(across), Math.min(above, HEIGHT - above));
     double fromBar = Math.min(Math.abs(across), Math.abs(above - CROSSBAR)) - FRAME / 2;
     double inGlass = Math.min(fromEdge - FRAME, fromBar);
     if (inGlass < 0) {
@@ -150,7 +152,7 @@ final class RoomWindows {
     return sky.towards(EDGE, 0.75 * depth).argb();
   }
 
-  /** A texel of the light, with the shadows of frame and bars. */
+  /** Returns a texel of the light on the floor, with the shadows of the frame and the bars. */
   private static int light(int x, int y) {
     double across = ((x + 0.5) / LIGHT_SIZE - 0.5) * WIDTH;
     double above = (1 - (y + 0.5) / LIGHT_SIZE) * HEIGHT;

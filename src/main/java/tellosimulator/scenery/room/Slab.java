@@ -14,24 +14,24 @@ import tellosimulator.scenery.texture.ProceduralTexture;
 import tellosimulator.world.Room;
 
 /**
- * The slab that carries a room, and its soft shadow on the ground: what those see who look at the
- * room from outside, so that it does not float. Nothing of it is seen from inside.
+ * The slab below a room, and the soft shadow of the slab on the ground. They are for cameras
+ * outside the room, so that the room does not appear to float. Neither is visible from inside.
  */
 final class Slab {
 
-  /** How far it stands out under the walls [m]. Decided: by eye. */
+  /** Overhang beyond the walls [m]. Decided: by eye. */
   private static final double RIM = 0.07;
 
-  /** Metres. Decided: by eye. */
+  /** Thickness in metres. Decided: by eye. */
   private static final double THICKNESS = 0.11;
 
-  /** How far its shadow reaches, as a share of the room's shorter side. Decided: by eye. */
+  /** Reach of the shadow, as a fraction of the room's shorter side. Decided: by eye. */
   private static final double REACH = 0.22;
 
-  /** Opacity of the shadow at the slab. Decided: by eye. */
+  /** Opacity of the shadow next to the slab. Decided: by eye. */
   private static final double DARKEST = 0.55;
 
-  /** Edge of the texture of the shadow [texels]. */
+  /** Side length of the texture of the shadow [texels]. */
   private static final int TEXELS = 128;
 
   private static final Rgb TOP = Rgb.of(0xdedad3);
@@ -40,7 +40,7 @@ final class Slab {
 
   private Slab() {}
 
-  /** The parts of a room in drawing order, room frame. */
+  /** Returns the parts in drawing order, in the room frame. */
   static List<Part> parts(Room room) {
     double depth = room.depth() / 2 + RIM;
     double width = room.width() / 2 + RIM;
@@ -64,7 +64,7 @@ final class Slab {
         new Part(sides.build(), plain(DARK_SIDE), Shading.UNLIT));
   }
 
-  /** What stands out of its upper side. */
+  /** Returns the part of the slab's upper side that extends beyond the room. */
   private static MeshBuilder rim(Room room) {
     double depth = room.depth() / 2;
     double width = room.width() / 2;
@@ -99,7 +99,10 @@ final class Slab {
     return new Part(MeshBuilder.of(ground), texture, Shading.DECAL);
   }
 
-  /** How far a texel is beyond the slab, in reaches; 0 below it, 1 at the edge of the texture. */
+  /**
+   * Returns the distance of a texel from the slab along one axis, as a fraction of the reach: 0
+   * below the slab, 1 at the edge of the texture.
+   */
   private static double beyond(int texel, double size, double reach) {
     double edge = Math.min(texel, TEXELS - 1 - texel) / (TEXELS - 1.0) * size;
     return Math.max(0, 1 - edge / reach);

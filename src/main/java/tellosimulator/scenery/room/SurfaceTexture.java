@@ -1,11 +1,11 @@
 package tellosimulator.scenery.room;
 
 import tellosimulator.scenery.mesh.Texture;
-import tellosimulator.scenery.texture.PngResource;
+import tellosimulator.scenery.texture.ImageFile;
 
 /**
- * The textures of floor, walls and ceiling: PNG files that tile without a seam and come with the
- * program.
+ * The textures of textured rooms ({@code Walls.TEXTURED}). They are read from PNG files in the
+ * program's jar, and tile without a seam.
  */
 enum SurfaceTexture {
   BRICKS("bricks.png", SurfaceTexture.SIZE),
@@ -15,19 +15,22 @@ enum SurfaceTexture {
   PANELS("panels.png", SurfaceTexture.SIZE / 2),
   PARQUET("parquet.png", SurfaceTexture.SIZE);
 
-  /** Edge of the square that repeats [m]. Decided: whole metres, so that it meets metre lines. */
+  /**
+   * Side length of the repeating square [m]. Decided: whole metres, so that it aligns with the
+   * metre lines.
+   */
   static final double TILE = 2;
 
-  /** Edge of most of them [texels]. Decided: sharp from a metre away. */
+  /** Side length of most textures [texels]. Decided: sharp from a metre away. */
   static final int SIZE = 512;
 
   private final Texture texture;
 
   SurfaceTexture(String file, int size) {
-    texture = PngResource.texture(SurfaceTexture.class, file, size);
+    texture = ImageFile.resource(SurfaceTexture.class, file, size);
   }
 
-  /** Always the same; read when it is first used. */
+  /** Returns the texture. It is read on first use, and is always the same object. */
   Texture texture() {
     return texture;
   }

@@ -12,60 +12,64 @@ import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
-/** The trim of walls: a skirting board, and a line at each metre. */
-enum Trim {
-  /** Lines that a camera sees. */
-  TEXTURED(0.7, Rgb.of(0xe4e0d8)),
-  /** Lines that one sees who looks for them. */
-  CALM(0.13, Rgb.of(0xe4e0d9));
+/** The trim on the walls: a skirting board, and a horizontal line at each metre. */
+final class Trim {
 
-  /** Height of the texture of a line [m]; the line itself is a third of it. Decided: by eye. */
+  /** Height of the texture of a line [m]; the visible line is a third of it. Decided: by eye. */
   private static final double LINE = 0.036;
+
+  /** Opacity of the lines. Decided: clearly visible to a camera. */
+  private static final double OPACITY = 0.7;
 
   private static final int SIZE = 16;
 
   private static final List<Surface> WALLS =
       List.of(Surface.FRONT_WALL, Surface.BACK_WALL, Surface.LEFT_WALL, Surface.RIGHT_WALL);
 
-  private final Texture line;
-  private final Texture board;
+  private static final Texture LINES = line();
+  private static final Texture BOARD = board(Rgb.of(0xe4e0d9));
 
-  /**
-   * @param lineOpacity 0 to 1. Decided: by eye, as the colour of the board
-   */
-  Trim(double lineOpacity, Rgb board) {
-    line = line(lineOpacity);
-    this.board = board(board);
-  }
+  private Trim() {}
 
-  /** The parts of a room, room frame. */
-  List<Part> parts(Room room) {
+  /** Returns the skirting board of a room, in the room frame. */
+  static Part skirting(Room room) {
     MeshBuilder boards = new MeshBuilder();
-    MeshBuilder lines = new MeshBuilder();
     for (Surface wall : WALLS) {
       Face face = Face.of(room, wall);
       boards.quad(face.band(0, PlainTextures.SKIRTING_HEIGHT), TextureRegion.WHOLE);
+    }
+    return new Part(boards.build(), BOARD, Shading.PANEL);
+  }
+
+  /** Returns the lines, in the room frame. */
+  static Part lines(Room room) {
+    MeshBuilder lines = new MeshBuilder();
+    for (Surface wall : WALLS) {
+      Face face = Face.of(room, wall);
       for (int meter = 1; meter < room.height(); meter++) {
         lines.quad(face.band(meter - LINE / 2, LINE), TextureRegion.WHOLE);
       }
     }
-    Part skirting = new Part(boards.build(), board, Shading.DECAL);
-    return room.height() > 1
-        ? List.of(skirting, new Part(lines.build(), line, Shading.DECAL))
-        : List.of(skirting);
+    return new Part(lines.build(), LINES, Shading.DECAL);
   }
 
-  /** Transparent but for its middle, so that it is smooth from far away too. */
-  private static Texture line(double opacity) {
+  /**
+   * Returns a texture that is transparent except in its middle, so that the line is smooth even
+   * from far away.
+   */
+  private static Texture line() {
     return striped(
         row -> {
           double fromMiddle = Math.abs(row + 0.5 - SIZE / 2.0);
           double part = Math.max(0, Math.min(1, SIZE / 6.0 - fromMiddle + 0.5));
-          return Rgb.of(0x2e2c2a).argb(opacity * part);
+          return Rgb.of(0x2e2c2a).argb(OPACITY * part);
         });
   }
 
-  /** With light on its upper edge and shade below it. */
+  /**
+   * Returns the texture of a skirting board. Its upper edge is dark; a line below it and the lower
+   * edge are less dark.
+   */
   private static Texture board(Rgb white) {
     return striped(
         row -> {

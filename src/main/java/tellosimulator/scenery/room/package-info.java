@@ -1,7 +1,7 @@
 /**
- * What the room looks like: {@link tellosimulator.scenery.room.Interior} makes its surfaces, {@link
- * tellosimulator.scenery.room.StartMark} and {@link tellosimulator.scenery.room.BlobShadow} the
- * decals of drones. All in metres and in the room frame, all values immutable and for any thread.
- * Textures are computed or read when they are first used.
+ * The appearance of the room. {@link tellosimulator.scenery.room.Interior} creates its surfaces.
+ * {@link tellosimulator.scenery.room.StartDecal} and {@link tellosimulator.scenery.room.BlobShadow}
+ * create the decals of drones. All lengths are in metres, all positions are in the room frame, and
+ * all values are immutable. Textures are computed or read on first use.
  */
 package tellosimulator.scenery.room;

@@ -7,19 +7,19 @@ import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * A square coverage mask on which strokes and polygons are drawn with antialiasing: the coverage of
- * a pixel follows from the distance of its centre to the edge. Coordinates are in pixels, from the
- * left and from the top. For one thread.
+ * A square coverage mask on which strokes and polygons are drawn with antialiasing. The coverage of
+ * a pixel depends on the distance of its centre from the edge of the shape. Coordinates are in
+ * pixels, measured from the left and from the top. Not thread-safe.
  */
 public final class AlphaMask {
 
-  /** Pixels from the left and from the top. */
+  /** A point, in pixels from the left and from the top. */
   public record Point(double x, double y) {
 
     /**
-     * The points of a polyline.
+     * Returns the points of a polyline.
      *
-     * @param numbers x and y of each
+     * @param numbers x and y of each point
      */
     public static List<Point> polyline(double... numbers) {
       List<Point> points = new ArrayList<>();
@@ -30,18 +30,20 @@ public final class AlphaMask {
     }
   }
 
-  /** An arc of an ellipse; angles in radians, from the right downwards. */
+  /** An arc of an ellipse; angles in radians, clockwise from the positive x axis. */
   public record Arc(Point center, Point radii, double from, double to) {
 
-    /** Decided: no corner can be seen at 256 pixels. */
+    /**
+     * Number of segments in a whole turn. Decided: no corners are visible at a size of 256 pixels.
+     */
     private static final int SEGMENTS_PER_TURN = 48;
 
-    /** The whole circle. */
+    /** Returns a full circle. */
     public static Arc circle(Point center, double radius) {
       return new Arc(center, new Point(radius, radius), 0, 2 * Math.PI);
     }
 
-    /** Points on it, from one end to the other. */
+    /** Returns points along the arc, from one end to the other. */
     public List<Point> points() {
       int parts = (int) Math.ceil(Math.abs(to - from) / (2 * Math.PI) * SEGMENTS_PER_TURN);
       List<Point> points = new ArrayList<>();
@@ -60,9 +62,9 @@ public final class AlphaMask {
   private final double[] coverage;
 
   /**
-   * An empty mask.
+   * Creates an empty mask.
    *
-   * @param size its edge [pixels]
+   * @param size side length of the mask [pixels]
    */
   public AlphaMask(int size) {
     this.size = size;
@@ -70,19 +72,19 @@ public final class AlphaMask {
   }
 
   /**
-   * A stroke with round ends.
+   * Draws a stroke with round ends.
    *
-   * @param polyline its centre line
-   * @param width of the stroke [pixels]
+   * @param polyline centre line of the stroke
+   * @param width width of the stroke [pixels]
    */
   public AlphaMask stroke(List<Point> polyline, double width) {
-    for (int i = 1; i < polyline.size(); i++) { // piece by piece: each touches only a few pixels
+    for (int i = 1; i < polyline.size(); i++) { // segment by segment: each covers only a few pixels
       stroke(polyline.get(i - 1), polyline.get(i), width / 2);
     }
     return this;
   }
 
-  /** A filled polygon. */
+  /** Draws a filled polygon. */
   public AlphaMask fill(List<Point> corners) {
     List<Point> outline = new ArrayList<>(corners);
     outline.add(corners.get(0));
@@ -106,15 +108,16 @@ public final class AlphaMask {
   }
 
   /**
-   * A texture of one colour with a mask as its alpha, drawn when it is first used.
+   * Returns a texture of one colour whose alpha is a mask. The mask is drawn on first use.
    *
-   * @param size its edge [texels]
+   * @param size side length of the texture [texels]
+   * @param mask creates a mask of this size
    */
   public static Texture texture(int size, Rgb color, Supplier<AlphaMask> mask) {
     return Texture.lazy(size, size, () -> mask.get().argb(color));
   }
 
-  /** One colour with the mask as its alpha. */
+  /** Returns texels of one colour, with this mask as their alpha. */
   private int[] argb(Rgb color) {
     int[] argb = new int[coverage.length];
     for (int i = 0; i < argb.length; i++) {
@@ -123,7 +126,7 @@ public final class AlphaMask {
     return argb;
   }
 
-  /** Paints a colour over the opaque pixels of an image of the same size. */
+  /** Paints a colour over an opaque image of the same size, where this mask covers it. */
   void paint(Rgb color, int[] pixels) {
     for (int i = 0; i < pixels.length; i++) {
       if (coverage[i] > 0) {
@@ -132,7 +135,7 @@ public final class AlphaMask {
     }
   }
 
-  /** A copy of an image of the same size, with the mask as its alpha. */
+  /** Returns a copy of an image of the same size, with this mask as its alpha. */
   int[] applyTo(int[] pixels) {
     int[] argb = new int[pixels.length];
     for (int i = 0; i < argb.length; i++) {
@@ -141,7 +144,7 @@ public final class AlphaMask {
     return argb;
   }
 
-  /** A filled circle. */
+  /** Draws a filled circle. */
   public AlphaMask dot(Point center, double radius) {
     return stroke(List.of(center, center), 2 * radius);
   }
@@ -160,14 +163,15 @@ public final class AlphaMask {
   /**
    * Raises the coverage of a pixel.
    *
-   * @param within how far its centre lies within the edge [pixels]
+   * @param within distance of the pixel's centre from the edge of the shape, positive inside
+   *     [pixels]
    */
   private void cover(int x, int y, double within) {
     double covered = Math.max(0, Math.min(1, within + 0.5));
     coverage[y * size + x] = Math.max(coverage[y * size + x], covered);
   }
 
-  /** The first pixel that an edge may touch. */
+  /** Returns the first pixel that the edge of a shape may touch. */
   private static int first(double edge) {
     return (int) Math.max(0, Math.floor(edge) - 1);
   }
@@ -195,7 +199,7 @@ public final class AlphaMask {
     return Math.sqrt(asideX * asideX + asideY * asideY);
   }
 
-  /** Whether a ray to the right crosses the outline an odd number of times. */
+  /** Returns whether a ray to the right crosses the outline an odd number of times. */
   private static boolean inside(List<Point> outline, double x, double y) {
     boolean inside = false;
     for (int i = 1; i < outline.size(); i++) {

@@ -4,16 +4,19 @@ import java.util.Arrays;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * Resamples an image to powers of two with a box filter: each new texel is the mean of what it
- * covers, so that a large image does not flicker, and the edges of a small one, such as a marker of
- * few pixels, stay sharp.
+ * Resamples an image to powers of two with a box filter: each new texel is the mean of the pixels
+ * that it covers. Large images then do not flicker. Edges in a small image, such as a marker of
+ * only a few pixels, stay sharp.
  */
 final class BoxFilter {
 
-  /** Longest edge [pixels]. Decided: as fine as a camera sees it that a poster fills. */
+  /**
+   * Maximum width and height [pixels]. Decided: about the resolution of a camera, for a poster that
+   * fills its view.
+   */
   static final int LARGEST = 1024;
 
-  /** Shortest edge [pixels]. Decided: then edges between pixels are sharp. */
+  /** Minimum width and height [pixels]. Decided: enough for sharp edges between pixels. */
   static final int SMALLEST = 256;
 
   private BoxFilter() {}
@@ -41,7 +44,7 @@ final class BoxFilter {
     return Math.max(SMALLEST, Math.min(LARGEST, enough));
   }
 
-  /** What a new pixel covers of the old ones, in pixels from the first edge. */
+  /** The range of old pixels that a new pixel covers, measured from the first edge of the image. */
   private record Span(double from, double to) {
 
     static Span of(int pixel, int pixels, int old) {

@@ -5,16 +5,16 @@ import java.util.function.Consumer;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
 
-/** A square image that is painted in several colours, one over the other. For one thread. */
+/** A square image onto which several colours are painted on top of each other. Not thread-safe. */
 public final class Canvas {
 
   private final int size;
   private final int[] pixels;
 
   /**
-   * A canvas of one colour.
+   * Creates a canvas of one colour.
    *
-   * @param size its edge [pixels]
+   * @param size side length of the canvas [pixels]
    */
   public Canvas(int size, Rgb background) {
     this.size = size;
@@ -25,7 +25,7 @@ public final class Canvas {
   /**
    * Paints a colour where a mask covers the canvas.
    *
-   * @param drawing draws on an empty mask
+   * @param drawing draws on a mask that is initially empty
    */
   public Canvas paint(Rgb color, Consumer<AlphaMask> drawing) {
     AlphaMask mask = new AlphaMask(size);
@@ -34,12 +34,12 @@ public final class Canvas {
     return this;
   }
 
-  /** A copy of the opaque image, row by row. */
+  /** Returns a copy of the opaque image, row by row. */
   public int[] argb() {
     return pixels.clone();
   }
 
-  /** The part of the image that a mask covers; the rest is transparent. */
+  /** Returns the part of the image that a mask covers. The rest is transparent. */
   public Texture cutOut(AlphaMask mask) {
     return new Texture(size, size, mask.applyTo(pixels));
   }

@@ -2,7 +2,7 @@ package tellosimulator.scenery.texture;
 
 import tellosimulator.scenery.mesh.Rgb;
 
-/** A gradient of opaque colours from a dark one to a light one. Immutable; for any thread. */
+/** A gradient of opaque colours from dark to light. Immutable. */
 public final class ColorRamp {
 
   private static final int STEPS = 256;
@@ -16,9 +16,9 @@ public final class ColorRamp {
   }
 
   /**
-   * A texel.
+   * Returns the colour of a tone, as an opaque ARGB value.
    *
-   * @param tone 0 is dark, 1 light; clamped to that
+   * @param tone 0 for the dark end, 1 for the light end; values outside this range are clamped
    */
   public int argb(double tone) {
     return pixels[(int) Math.max(0, Math.min(STEPS - 1, tone * STEPS))];

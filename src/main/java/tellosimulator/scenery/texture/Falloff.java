@@ -4,22 +4,25 @@ import tellosimulator.scenery.mesh.MeshBuilder.TextureRegion;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
 
-/** A shade that is darkest at the lower edge of a texture and fades out towards the upper one. */
+/** A shade that is darkest at the lower edge of a texture and fades out towards the upper edge. */
 public final class Falloff {
 
   private static final int WIDTH = 4;
   private static final int HEIGHT = 64;
 
-  /** From the centre of the first texel to that of the last, or the edges would wrap around. */
+  /**
+   * The region from the centre of the first texel to the centre of the last one, so that the edges
+   * do not wrap around.
+   */
   public static final TextureRegion REGION =
       new TextureRegion(0, 0.5 / HEIGHT, 1, 1 - 1.0 / HEIGHT);
 
   private Falloff() {}
 
   /**
-   * How much of the darkest shade there is.
+   * Returns the intensity of the shade, 0 to 1.
    *
-   * @param near 1 at the edge, 0 where the shade ends and beyond
+   * @param near 1 at the edge, 0 at the end of the shade; negative beyond that
    */
   public static double at(double near) {
     double part = Math.max(0, near);
@@ -27,7 +30,7 @@ public final class Falloff {
   }
 
   /**
-   * A texture, to be used in {@link #REGION}.
+   * Returns a texture of the shade. Use it with {@link #REGION}.
    *
    * @param darkest opacity at the lower edge, 0 to 1
    */

@@ -8,8 +8,8 @@ import org.slf4j.LoggerFactory;
 import tellosimulator.scenery.mesh.Rgb;
 
 /**
- * Image files, each read once. Instead of one that cannot be read, which the log says, there is a
- * grey board. For any thread.
+ * A cache that reads each image file only once. If a file cannot be read, a warning is logged, and
+ * a plain grey texture is used instead. Thread-safe.
  */
 public final class ImageCache {
 
@@ -19,7 +19,7 @@ public final class ImageCache {
 
   private final Map<String, ImageTexture> images = new ConcurrentHashMap<>();
 
-  /** The image in a file. */
+  /** Returns the image in a file. */
   public ImageTexture get(String file) {
     return images.computeIfAbsent(file, ImageCache::read);
   }

@@ -4,6 +4,8 @@ import java.awt.image.BufferedImage;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -16,29 +18,44 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import tellosimulator.scenery.mesh.Texture;
 
-/** An image file of the person who runs the simulator. Reading takes its time; for any thread. */
+/**
+ * Reads the user's image files, which may take a long time, and the image files in the program's
+ * jar. Thread-safe.
+ */
 public final class ImageFile {
 
-  /** Most pixels of an image. Decided: more than cameras of phones take, and still quickly read. */
+  /**
+   * Maximum number of pixels in an image. Decided: more than most phone cameras produce, and still
+   * quick to read.
+   */
   private static final long MOST_PIXELS = 1L << 26;
 
-  /** Longest edge [pixels], because readers hold whole rows. Decided: half of what JPEG allows. */
+  /**
+   * Maximum width and height [pixels]. They are limited because readers hold whole rows in memory.
+   * Decided: half of the JPEG limit.
+   */
   private static final int LONGEST_EDGE = 1 << 15;
 
-  /** From this edge on pixels are left out already while reading. Decided: twice what is kept. */
+  /**
+   * Minimum width and height that remain when a larger image is subsampled while it is read
+   * [pixels]. Decided: twice the size at which images are kept.
+   */
   private static final int LARGE = 2 * BoxFilter.LARGEST;
 
-  /** Formats that are read, by their readers' names; Java knows others that nobody needs here. */
+  /**
+   * The accepted formats, by the names of their readers. Java supports further formats, which are
+   * not needed.
+   */
   private static final Set<String> FORMATS = Set.of("png", "jpeg", "gif", "bmp");
 
   private ImageFile() {}
 
   /**
-   * Reads an image; a large one is scaled down.
+   * Reads an image and scales it down if it is large.
    *
    * @param file PNG, JPEG, GIF or BMP
-   * @throws IOException with a sentence for people, if there is no such file, if it is no image or
-   *     a huge one, or if there is not enough memory for it
+   * @throws IOException with a message for people, if the file does not exist, is not an image, is
+   *     too large, or does not fit into memory
    */
   public static ImageTexture read(String file) throws IOException {
     Path path = path(file);
@@ -58,14 +75,32 @@ public final class ImageFile {
   }
 
   /**
-   * Looks whether an image can be read. It is read for that: only then it shows whether it is
-   * whole.
+   * Checks whether an image can be read. It reads the whole file, because otherwise a truncated
+   * file would not be detected.
    *
-   * @throws IOException with a sentence for people, if it cannot
+   * @throws IOException with a message for people, if it cannot be read
    */
   @SuppressWarnings("ReturnValueIgnored")
   public static void check(String file) throws IOException {
     read(file);
+  }
+
+  /**
+   * Returns an image in the program's jar as a square texture that is read on first use.
+   *
+   * @param owner a class in the package of the resource
+   * @param size side length of the texture [texels]
+   */
+  public static Texture resource(Class<?> owner, String file, int size) {
+    return Texture.lazy(size, size, () -> readResource(owner, file).argbArray());
+  }
+
+  private static Texture readResource(Class<?> owner, String file) {
+    try (InputStream resource = owner.getResourceAsStream(file)) {
+      return texture(ImageIO.read(resource));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   private static Path path(String file) throws IOException {
@@ -96,7 +131,7 @@ public final class ImageFile {
           BoxFilter.resample(texture(reader.read(0, some))), (double) height / width);
     } catch (HugeImageException e) {
       throw e;
-    } catch (IOException | RuntimeException | OutOfMemoryError e) { // readers throw many kinds
+    } catch (IOException | RuntimeException | OutOfMemoryError e) { // readers throw many types
       if (e instanceof OutOfMemoryError || e.getCause() instanceof OutOfMemoryError) {
         throw new IOException("there is not enough memory for the image " + file, e);
       }
@@ -104,7 +139,7 @@ public final class ImageFile {
     }
   }
 
-  /** Of how many pixels along an edge one is read. */
+  /** Returns the subsampling factor for a width or a height. */
   private static int step(int pixels) {
     return Math.max(1, pixels / LARGE);
   }
@@ -121,7 +156,9 @@ public final class ImageFile {
     return new Texture(width, height, pixels);
   }
 
-  /** As it is in the file: {@code getRGB} takes grey for linear and would make it lighter. */
+  /**
+   * Copies grey samples unchanged. {@code getRGB} would treat them as linear and make them lighter.
+   */
   private static void takeGray(BufferedImage image, int[] pixels) {
     Raster raster = image.getRaster();
     int[] row = new int[image.getWidth()];

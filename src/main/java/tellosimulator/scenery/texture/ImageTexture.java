@@ -3,9 +3,9 @@ package tellosimulator.scenery.texture;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * An image file as a texture.
+ * An image file that has been converted to a texture.
  *
  * @param texture the image, resampled to powers of two
- * @param aspectRatio of the image: height by width
+ * @param aspectRatio height of the original image divided by its width
  */
 public record ImageTexture(Texture texture, double aspectRatio) {}

@@ -4,7 +4,7 @@ import java.util.function.DoubleToIntFunction;
 import java.util.function.Supplier;
 import tellosimulator.scenery.mesh.Texture;
 
-/** Makes square textures that are computed texel by texel. */
+/** Creates square textures that are computed texel by texel. */
 public final class ProceduralTexture {
 
   /** The colour of each texel: alpha, red, green and blue with 8 bits each. */
@@ -16,20 +16,21 @@ public final class ProceduralTexture {
   private ProceduralTexture() {}
 
   /**
-   * A texture that is computed when it is first used.
+   * Returns a texture that is computed on first use.
    *
-   * @param size its edge [texels]
-   * @param texels called once
+   * @param size side length of the texture [texels]
+   * @param texels creates the function that returns the colour of a texel
    */
   public static Texture of(int size, Supplier<Texels> texels) {
     return Texture.lazy(size, size, () -> argb(size, texels.get()));
   }
 
   /**
-   * A texture of rings, computed when it is first used.
+   * Returns a texture with radial symmetry. The texture is computed on first use.
    *
-   * @param size its edge [texels]
-   * @param argb takes how near a texel is to the middle: 1 there, 0 at the edges and in the corners
+   * @param size side length of the texture [texels]
+   * @param argb returns the colour for a closeness to the centre: 1 at the centre, 0 at the edges
+   *     and in the corners
    */
   public static Texture radial(int size, DoubleToIntFunction argb) {
     double radius = size / 2.0;
@@ -57,7 +58,7 @@ public final class ProceduralTexture {
   /**
    * Interpolates linearly between two opaque colours.
    *
-   * @param weight of the second one; clamped to 0 to 1
+   * @param weight weight of the second colour; values outside 0 to 1 are clamped
    */
   public static int mix(int from, int to, double weight) {
     int share = (int) (256 * Math.max(0, Math.min(1, weight)));

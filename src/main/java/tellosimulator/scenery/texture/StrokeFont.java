@@ -8,8 +8,9 @@ import tellosimulator.scenery.texture.AlphaMask.Arc;
 import tellosimulator.scenery.texture.AlphaMask.Point;
 
 /**
- * A stroke font of digits, the minus sign, the letters x and y, and an arrow to the right. In font
- * coordinates a digit is 1 high and about 0.6 wide, centred at the origin, y downwards.
+ * A stroke font with digits, the minus sign, the letters x and y, and an arrow to the right. In
+ * font coordinates, a digit is 1 high and about 0.6 wide and is centred at the origin; y points
+ * down.
  */
 public final class StrokeFont {
 
@@ -20,8 +21,9 @@ public final class StrokeFont {
   /**
    * Draws a character.
    *
-   * @param character one of those that it has
-   * @param height of a digit [pixels]
+   * @param character a character in this font
+   * @param center centre of the character
+   * @param height height of a digit [pixels]
    */
   public static void draw(AlphaMask mask, char character, Point center, double height) {
     for (List<Point> stroke : strokes(character)) {
@@ -69,7 +71,7 @@ public final class StrokeFont {
     };
   }
 
-  /** A part of an ellipse that is as wide as a digit, at a height. */
+  /** Returns an arc of an ellipse that is as wide as a digit and centred at height y. */
   private static List<Point> bow(double y, double radius, double from, double to) {
     return new Arc(new Point(0, y), new Point(0.24, radius), from, to).points();
   }

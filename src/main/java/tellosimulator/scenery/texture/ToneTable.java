@@ -3,19 +3,24 @@ package tellosimulator.scenery.texture;
 import java.util.SplittableRandom;
 
 /**
- * A random tone for each of many like things: bricks, boards, tiles. From 0 to 1, evenly spread but
- * seldom in the middle, so that neighbours mostly differ. Equal seeds give equal tones. Immutable;
- * for any thread.
+ * A random tone for each of many similar objects, such as bricks, boards or tiles. Tones are
+ * between 0 and 1. Dark and light tones are equally frequent and medium tones are rare, so
+ * neighbours mostly differ. Equal seeds give equal tones. Immutable.
  */
 public final class ToneTable {
 
-  /** How far from the middle they are pushed: 1 not at all, 0 all the way. Decided: by eye. */
+  /**
+   * Exponent that pushes tones away from the middle: 1 leaves them unchanged, and 0 pushes them to
+   * 0 and 1. Decided: by eye.
+   */
   private static final double SPREAD = 0.55;
 
   private final double[] tones;
 
   /**
-   * @param count of things
+   * Creates the tones.
+   *
+   * @param count number of tones
    */
   public ToneTable(int count, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
@@ -28,7 +33,7 @@ public final class ToneTable {
     }
   }
 
-  /** The tone of a thing. */
+  /** Returns the tone of an object. */
   public double tone(int index) {
     return tones[index];
   }

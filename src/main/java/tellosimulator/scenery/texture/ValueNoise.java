@@ -3,8 +3,9 @@ package tellosimulator.scenery.texture;
 import java.util.SplittableRandom;
 
 /**
- * Value noise: a number for each texel of a square that tiles without a seam, interpolated smoothly
- * between random values on a lattice. Equal seeds give equal numbers. For one thread.
+ * Value noise: a number for each texel in a square that tiles without a seam. The numbers are
+ * interpolated smoothly between random values on a lattice. Equal seeds give equal numbers. Not
+ * thread-safe.
  */
 public final class ValueNoise {
 
@@ -12,22 +13,24 @@ public final class ValueNoise {
   private final float[] values;
 
   /**
-   * All zero.
+   * Creates noise that is zero everywhere.
    *
-   * @param size edge of the square [texels], a power of two
+   * @param size side length of the square [texels], a power of two
    */
   public ValueNoise(int size) {
     this.size = size;
     values = new float[size * size];
   }
 
-  /** How many random values there are across and down; they divide the size. */
+  /**
+   * The number of random values across and down. Each must divide the side length of the square.
+   */
   public record Lattice(int across, int down) {}
 
   /**
    * Adds an octave of noise.
    *
-   * @param amplitude the random values are from minus to plus this
+   * @param amplitude maximum absolute value of the random values
    */
   public ValueNoise addOctave(Lattice lattice, double amplitude, long seed) {
     float[] random = randomValues(lattice, amplitude, seed);
@@ -47,7 +50,7 @@ public final class ValueNoise {
     return this;
   }
 
-  /** The noise at a texel; beyond the square it repeats. */
+  /** Returns the noise at a texel. Outside the square, the noise repeats. */
   public float at(int x, int y) {
     return values[(y & size - 1) * size + (x & size - 1)];
   }
@@ -80,7 +83,7 @@ public final class ValueNoise {
     return values;
   }
 
-  /** Smoothstep: from 0 to 1, level at both ends. */
+  /** Smoothstep: rises from 0 to 1 with zero slope at both ends. */
   private static float smoothstep(double part) {
     return (float) (part * part * (3 - 2 * part));
   }

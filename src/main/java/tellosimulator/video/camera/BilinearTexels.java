@@ -1,19 +1,19 @@
 package tellosimulator.video.camera;
 
 /**
- * One channel of a mip level, laid out for bilinear filtering: each entry packs a texel with its
- * neighbours on the right, below, and below on the right, 8 bits each from the lowest, so that one
- * memory access fetches a whole 2x2 footprint. Coordinates wrap around.
+ * One channel of a mip level, laid out for bilinear filtering. Each entry packs a texel with its
+ * neighbours on the right, below, and below on the right, in this order from the lowest bits and
+ * with 8 bits each. One memory access thus fetches a whole 2x2 footprint. Coordinates wrap around.
  *
- * <p>A span is sampled step by step, each step a plain loop that HotSpot vectorises: measured, it
- * takes a third of the time of sampling pixel by pixel. Immutable; for any thread.
+ * <p>A span is sampled in several steps, each of them a plain loop that HotSpot vectorises.
+ * Measured: this takes a third of the time of sampling pixel by pixel. Immutable.
  */
 final class BilinearTexels {
 
-  /** The alpha of opaque textures: a single texel. */
+  /** The alpha channel of opaque textures, which consists of a single texel. */
   static final BilinearTexels OPAQUE = new BilinearTexels(1, 1, new int[] {-1, 0, 0, 0});
 
-  /** The low byte of each 16 bits. */
+  /** Masks the low byte of each group of 16 bits. */
   private static final int LOW_BYTES = 0x00ff00ff;
 
   private static final int HALF = 1 << 15;
@@ -23,9 +23,11 @@ final class BilinearTexels {
   private final int[] footprints;
 
   /**
+   * Creates a channel from prepared entries.
+   *
    * @param width a power of two
    * @param height a power of two
-   * @param footprints each at its {@link #index}
+   * @param footprints the entries, each at its {@link #index}
    */
   BilinearTexels(int width, int height, int[] footprints) {
     this.width = width;
@@ -42,19 +44,19 @@ final class BilinearTexels {
   }
 
   /**
-   * The index of a texel in a tiled layout: four rows are interleaved, so that sixteen neighbours
-   * share a cache line, in whatever direction a scanline crosses the texture.
+   * Returns the index of a texel in a tiled layout. Four rows are interleaved, so that sixteen
+   * neighbours share a cache line, in whatever direction a scanline crosses the texture.
    */
   static int index(int x, int y, int width) {
     return (y >> 2) * 4 * width + 4 * x + (y & 3);
   }
 
-  /** The number of entries, padded to whole groups of four rows. */
+  /** Returns the number of entries, padded to whole groups of four rows. */
   static int size(int width, int height) {
     return (height + 3) / 4 * 4 * width;
   }
 
-  /** A texel, 0 to 255. */
+  /** Returns a texel, 0 to 255. */
   int texel(int x, int y) {
     return footprints[index(x, y, width)] & 255;
   }
@@ -62,8 +64,9 @@ final class BilinearTexels {
   /**
    * Samples a span with bilinear filtering.
    *
-   * @param coordinates in texels of this channel, with indices for its size
-   * @param values receives 0 to 255 for each
+   * @param coordinates the coordinates in texels of this channel, with indices computed for its
+   *     size
+   * @param values receives a value from 0 to 255 for each coordinate
    */
   void sample(TextureCoordinates coordinates, int[] values) {
     fetch(coordinates.index, coordinates.count, values);

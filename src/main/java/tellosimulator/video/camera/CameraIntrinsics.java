@@ -1,11 +1,12 @@
 package tellosimulator.video.camera;
 
 /**
- * The intrinsics of a pinhole camera: square pixels, principal point in the middle, no distortion.
+ * The intrinsics of a pinhole camera with square pixels, a principal point in the middle of the
+ * image, and no distortion.
  *
- * @param width of the image in pixels
- * @param height of the image in pixels
- * @param fieldOfView horizontal, from the left to the right edge [rad]
+ * @param width width of the image [pixels]
+ * @param height height of the image [pixels]
+ * @param fieldOfView horizontal field of view, from the left to the right edge [rad]
  */
 public record CameraIntrinsics(int width, int height, double fieldOfView) {
 

@@ -4,11 +4,11 @@ import tellosimulator.math.Pose;
 import tellosimulator.scenery.Scene;
 
 /**
- * Everything that a frame shows, besides its size and the camera's optics: equal ones give equal
- * frames. Immutable; for any thread.
+ * Everything that determines a frame, except its size and the camera's optics. Equal views result
+ * in frames that are equal except for the sensor's noise. Immutable.
  *
- * @param scene what the camera sees
- * @param drone pose of the drone that carries the camera, room frame
- * @param downward whether it is the camera that looks at the floor
+ * @param scene the objects in front of the camera
+ * @param drone the pose of the drone that carries the camera, in the room frame
+ * @param downward whether this is the view of the downward camera rather than of the forward camera
  */
 public record CameraView(Scene scene, Pose drone, boolean downward) {}

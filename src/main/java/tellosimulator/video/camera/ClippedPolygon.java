@@ -1,11 +1,12 @@
 package tellosimulator.video.camera;
 
 /**
- * A triangle clipped against the near plane: a convex polygon of three or four vertices in screen
- * coordinates. Refilled for each triangle; for one thread.
+ * A triangle after clipping against the near plane. The result is a convex polygon of three or four
+ * vertices in screen coordinates. Reused for each triangle. Not thread-safe.
  *
- * <p>Only the near plane clips. The sides of the frustum need not: screen coordinates far outside
- * are just large numbers, and the rasteriser limits scanlines and spans to the viewport.
+ * <p>Triangles are clipped only against the near plane. The sides of the frustum need no clipping:
+ * coordinates far outside the screen are just large numbers, and the rasteriser limits scanlines
+ * and spans to the viewport.
  */
 final class ClippedPolygon {
 
@@ -19,10 +20,11 @@ final class ClippedPolygon {
   }
 
   /**
-   * Takes a triangle that lies behind the near plane as a whole, unless it is a back face or so
-   * small that it covers no pixel. Cheap, as most triangles of a distant mesh cover none.
+   * Sets a triangle that lies completely beyond the near plane, unless it is a back face or so
+   * small that it covers no pixels. This check is cheap, which matters because most triangles of a
+   * distant mesh cover no pixels.
    *
-   * @return whether it was taken
+   * @return whether the triangle was set
    */
   boolean setTriangle(ProjectedVertices vertices, int[] triangle) {
     double[] screen = vertices.screen;
@@ -36,7 +38,7 @@ final class ClippedPolygon {
     double cx = screen[c];
     double cy = screen[c + 1];
     if ((bx - ax) * (cy - ay) >= (cx - ax) * (by - ay)) {
-      return false; // y points down on the screen, so counter-clockwise is negative
+      return false; // y points down, so counter-clockwise is negative
     }
     if (!spansPixelCenter(ay, by, cy) || !spansPixelCenter(ax, bx, cx)) {
       return false;
@@ -48,7 +50,10 @@ final class ClippedPolygon {
     return true;
   }
 
-  /** Whether the centre of a row or column of pixels is between the least and the largest. */
+  /**
+   * Returns whether the centre of a row or column of pixels lies between the smallest and the
+   * largest of three values.
+   */
   private static boolean spansPixelCenter(double a, double b, double c) {
     double least = Math.min(a, Math.min(b, c));
     double largest = Math.max(a, Math.max(b, c));
@@ -66,7 +71,7 @@ final class ClippedPolygon {
       if (fromInside) {
         add(vertices.screen[2 * from], vertices.screen[2 * from + 1]);
       }
-      // From inside to outside, so that the triangle across the edge gets the very same vertex.
+      // Interpolates from inside to outside, so that the adjacent triangle gets the same vertex.
       if (fromInside && !toInside) {
         addIntersection(vertices.homogeneous, 3 * from, 3 * to, near);
       } else if (toInside && !fromInside) {

@@ -1,9 +1,9 @@
 package tellosimulator.video.camera;
 
 /**
- * The colour space of a frame buffer's three channels. A packed pixel has 8 bits each for alpha
- * (uppermost), first, second and third channel. Rendering works alike in both, because
- * interpolation and blending are linear.
+ * The colour space of the three channels of a frame buffer. A packed pixel has 8 bits each for
+ * alpha (uppermost) and for the first, second and third channel. Rendering works in the same way in
+ * both colour spaces, because interpolation and blending are linear.
  */
 public enum ColorSpace {
   /** Red, green and blue at full range; packed as ARGB. */
@@ -15,8 +15,8 @@ public enum ColorSpace {
   },
 
   /**
-   * Y, Cb and Cr of ITU-R BT.601 at limited range, in 4:2:0: what decoders assume where a stream
-   * says nothing.
+   * Y, Cb and Cr of ITU-R BT.601 at limited range, in 4:2:0. Decoders assume this if a stream does
+   * not specify its colour space.
    */
   YUV(true) {
     @Override
@@ -42,8 +42,8 @@ public enum ColorSpace {
   }
 
   /**
-   * Whether the second and third channel are subsampled as in 4:2:0: one sample for 2x2 pixels,
-   * taken from the pixel in the even row and column.
+   * Whether the second and third channel are subsampled as in 4:2:0. In this case there is one
+   * sample for 2x2 pixels, taken from the pixel in the even row and column.
    */
   final boolean subsampled() {
     return subsampled;

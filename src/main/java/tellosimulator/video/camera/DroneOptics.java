@@ -6,64 +6,62 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 
 /**
- * The optics of a drone's cameras, which are fixed to its body. What is not known for sure can be
- * chosen.
+ * The optics of a drone's cameras. The cameras are fixed to the drone's body. Only the values that
+ * are uncertain can be configured.
  *
- * @param fieldOfView horizontal, of the forward camera [rad]
- * @param tilt how far the forward camera looks down [rad]
+ * @param fieldOfView horizontal field of view of the forward camera [rad]
+ * @param tilt angle by which the forward camera faces down [rad]
  */
 public record DroneOptics(double fieldOfView, double tilt) {
 
-  /** Width of a frame in pixels. Measured: 960 by 720 (CAP and others). */
+  /** Width of a frame [pixels]. Measured: 960 by 720 (CAP and others). */
   public static final int WIDTH = 960;
 
-  /** Height of a frame in pixels. */
+  /** Height of a frame [pixels]. */
   public static final int HEIGHT = 720;
 
   /**
-   * Diagonal field of view [degrees]. Documented: Tello User Manual; it does not describe the
-   * stream.
+   * Diagonal field of view according to the manual [degrees]. Documented: Tello User Manual. The
+   * video stream has a narrower field of view.
    */
   public static final double MANUALS_DIAGONAL_DEG = 82.6;
 
-  /** Narrowest and widest horizontal field of view that can be chosen [degrees]. Decided. */
+  /** Narrowest configurable horizontal field of view [degrees]. Decided. */
   public static final int NARROWEST_DEG = 10;
 
+  /** Widest configurable horizontal field of view [degrees]. Decided. */
   public static final int WIDEST_DEG = 150;
 
-  /** Steepest tilt up or down that can be chosen [degrees]. */
+  /** Steepest configurable tilt, up or down [degrees]. */
   public static final int STEEPEST_DEG = 90;
 
   public static final DroneOptics DEFAULT =
       new DroneOptics(DroneSpec.CAMERA_FIELD_OF_VIEW, DroneSpec.CAMERA_TILT);
 
   /**
-   * Position of the forward camera, body frame [m]. Measured: 3.5 cm ahead of the middle (from the
-   * same model); the height is that of the lens.
-   */
-  private static final Vec3 NOSE = new Vec3(0.035, 0, 0.0185);
-
-  /**
-   * Position of the downward camera, body frame [m]. Assumed: in the middle of the underside, 8 mm
-   * above the feet.
+   * Position of the downward camera, in the body frame [m]. Assumed: in the middle of the
+   * underside, 8 mm above the feet.
    */
   private static final Vec3 UNDERSIDE = new Vec3(0, 0, 0.008);
 
-  /** Farthest near plane [m]. Decided: nearer than what a drone can touch with its nose, 2 cm. */
+  /**
+   * Maximum distance of the near plane [m]. Decided: 2 cm, which is nearer than any obstacle that
+   * the drone's nose touches.
+   */
   private static final double MAX_NEAR = 0.02;
 
-  /** The near plane's distance, as a share of the floor's. Decided. */
+  /** Distance of the near plane as a fraction of the distance to the floor. Decided. */
   private static final double NEAR_MARGIN = 0.9;
 
   /**
-   * Near plane of the downward camera [m]. Decided: nearer than the floor on which the drone
-   * stands.
+   * Distance of the downward camera's near plane [m]. Decided: nearer than the floor on which the
+   * drone stands.
    */
   private static final double NEAR_BELOW = 0.004;
 
   /**
-   * Straight down, with the nose to the left of the image: x down, y ahead, z to the right of the
-   * body.
+   * Attitude of the downward camera in the body frame. The camera's x axis points down, its y axis
+   * ahead, and its z axis to the right, so the drone's nose is to the left in the image.
    */
   private static final Attitude DOWN = new Attitude(0.5, 0.5, 0.5, -0.5);
 
@@ -81,33 +79,35 @@ public record DroneOptics(double fieldOfView, double tilt) {
   /**
    * Converts a diagonal field of view to a horizontal one.
    *
-   * @param diagonal for the aspect ratio of the drone's frames [rad]
+   * @param diagonal the diagonal field of view, for the aspect ratio of the drone's frames [rad]
    */
   public static double horizontalFieldOfView(double diagonal) {
     double share = WIDTH / StrictMath.hypot(WIDTH, HEIGHT);
     return 2 * StrictMath.atan(share * StrictMath.tan(diagonal / 2));
   }
 
-  /** The pose of the forward camera, room frame; it looks along its x axis. */
+  /**
+   * Returns the pose of the forward camera, in the room frame. The camera faces along its x axis.
+   */
   public Pose nose(Pose drone) {
     Attitude down = new Attitude(StrictMath.cos(tilt / 2), 0, StrictMath.sin(tilt / 2), 0);
-    return mounted(drone, NOSE, down);
+    return mounted(drone, DroneSpec.CAMERA_PLACE, down);
   }
 
   /**
-   * The forward camera. The horizontal field of view is the same for any aspect ratio.
+   * Returns the forward camera. The horizontal field of view is the same for any aspect ratio.
    *
-   * @param width of the image in pixels
-   * @param height of the image in pixels
+   * @param width width of the image [pixels]
+   * @param height height of the image [pixels]
    */
   public PinholeCamera ahead(Pose drone, int width, int height) {
     return new PinholeCamera(nose(drone), new CameraIntrinsics(width, height, fieldOfView), near());
   }
 
   /**
-   * Near plane of the forward camera, along its axis [m]: nearer than the floor is at the lower
-   * edge of the image while the drone stands, but not so far that it would clip things in front of
-   * the drone.
+   * The distance of the forward camera's near plane, along the camera's axis [m]. While the drone
+   * stands, the plane is nearer than the floor at the lower edge of the image. It is never so far
+   * away that it would clip objects in front of the drone.
    */
   public double near() {
     double halfHeight = StrictMath.atan(StrictMath.tan(fieldOfView / 2) * HEIGHT / WIDTH);
@@ -115,16 +115,19 @@ public record DroneOptics(double fieldOfView, double tilt) {
     double floor =
         down <= 0
             ? MAX_NEAR
-            : NOSE.z() * StrictMath.cos(halfHeight) / StrictMath.sin(Math.min(down, Math.PI / 2));
+            : DroneSpec.CAMERA_PLACE.z()
+                * StrictMath.cos(halfHeight)
+                / StrictMath.sin(Math.min(down, Math.PI / 2));
     return Math.min(MAX_NEAR, NEAR_MARGIN * floor);
   }
 
   /**
-   * The downward camera, with the default horizontal field of view. The drone's nose is to the left
-   * in the image. Assumed: the field of view. Measured: the direction (DTP #140).
+   * Returns the downward camera, with the default horizontal field of view. In its image, the
+   * drone's nose points to the left. Assumed: the field of view. Measured: the direction (DTP
+   * #140).
    *
-   * @param width of the image in pixels
-   * @param height of the image in pixels
+   * @param width width of the image [pixels]
+   * @param height height of the image [pixels]
    */
   public PinholeCamera below(Pose drone, int width, int height) {
     CameraIntrinsics intrinsics = new CameraIntrinsics(width, height, DEFAULT.fieldOfView);

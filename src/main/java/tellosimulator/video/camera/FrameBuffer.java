@@ -4,14 +4,15 @@ import java.util.Arrays;
 import tellosimulator.video.picture.Picture;
 
 /**
- * A frame buffer: a plane for each channel of a colour space, row by row from the top, and a depth
- * buffer of 1/z. It is reused for each frame. For one thread at a time.
+ * A frame buffer. It consists of a depth buffer of 1/z, and of one plane for each channel of a
+ * colour space. All of them are stored row by row from the top. Reused for each frame, by one
+ * thread at a time.
  *
- * <p>It tracks the covered interval of each row: outside it nothing can be hidden, so most of a
- * frame needs no depth test.
+ * <p>The frame buffer tracks the covered interval of each row. Outside this interval no pixel can
+ * be hidden, so most of a frame needs no depth test.
  *
- * <p>Each loop over pixels is a method of its own, so that the just-in-time compiler has least to
- * do, which counts while the first frame is drawn.
+ * <p>Each loop over pixels is a separate method, which minimises just-in-time compilation. This
+ * matters while the first frame is rendered.
  */
 public final class FrameBuffer {
 
@@ -19,10 +20,10 @@ public final class FrameBuffer {
   private final int height;
   private final ColorSpace space;
 
-  /** 1/z of each pixel [1/m]; 0 where nothing was drawn. */
+  /** 1/z of each pixel [1/m]; 0 where nothing is drawn. */
   private final float[] depth;
 
-  /** 0, 1, 2 and so on. */
+  /** The numbers 0, 1, 2 and so on. */
   private final float[] ramp;
 
   private final int[] coveredFrom;
@@ -44,7 +45,7 @@ public final class FrameBuffer {
     coveredTo = new int[height];
   }
 
-  /** A frame buffer for a screen, in {@link ColorSpace#RGB}. */
+  /** Creates a frame buffer for a screen, in {@link ColorSpace#RGB}. */
   public static FrameBuffer forScreen(int width, int height) {
     FrameBuffer frameBuffer = new FrameBuffer(width, height, ColorSpace.RGB);
     frameBuffer.first = new byte[width * height];
@@ -54,9 +55,10 @@ public final class FrameBuffer {
   }
 
   /**
-   * A frame buffer that writes through to the upper part of a picture, in {@link ColorSpace#YUV}.
+   * Creates a frame buffer that writes through to the upper part of a picture, in {@link
+   * ColorSpace#YUV}.
    *
-   * @param height of that part in pixels, even
+   * @param height height of that part [pixels], even
    */
   static FrameBuffer on(Picture picture, int height) {
     FrameBuffer frameBuffer = new FrameBuffer(picture.width(), height, ColorSpace.YUV);
@@ -78,16 +80,16 @@ public final class FrameBuffer {
     return space;
   }
 
-  /** Whether it writes through to just that many rows of just that picture. */
+  /** Returns whether this frame buffer writes through to exactly these rows of a picture. */
   boolean isOn(Picture picture, int rows) {
     return first == picture.y() && height == rows;
   }
 
   /**
-   * Copies the pixels for a screen: opaque where something was drawn, transparent elsewhere. For
-   * {@link ColorSpace#RGB}.
+   * Copies the pixels for a screen. They are opaque where something was drawn, and transparent
+   * elsewhere. Requires {@link ColorSpace#RGB}.
    *
-   * @param argb receives as many pixels
+   * @param argb receives all pixels
    */
   public void copyTo(int[] argb) {
     for (int i = 0; i < argb.length; i++) {
@@ -95,12 +97,16 @@ public final class FrameBuffer {
     }
   }
 
-  /** An opaque pixel, by its index in row order; for {@link ColorSpace#RGB}. */
+  /**
+   * Returns a pixel as opaque ARGB. Requires {@link ColorSpace#RGB}.
+   *
+   * @param i the index of the pixel in row order
+   */
   int argb(int i) {
     return 0xff000000 | (first[i] & 255) << 16 | (second[i] & 255) << 8 | (third[i] & 255);
   }
 
-  /** Clears all pixels to black and the depth buffer to infinity. */
+  /** Clears all pixels to black and all depths to infinity. */
   void clear() {
     int black = space.black();
     int chromaSize = space.subsampled() ? width * height / 4 : width * height;
@@ -113,10 +119,10 @@ public final class FrameBuffer {
   }
 
   /**
-   * Draws an opaque span with depth test.
+   * Draws an opaque span with a depth test.
    *
    * @param invZ 1/z of the first pixel [1/m]
-   * @param invZdx its derivative by x
+   * @param invZdx derivative of 1/z with respect to x
    */
   void draw(int row, Span span, float invZ, float invZdx) {
     int from = span.x;
@@ -130,7 +136,7 @@ public final class FrameBuffer {
     coveredTo[row] = Math.max(coveredTo[row], to);
   }
 
-  /** Writes pixels without depth test. */
+  /** Writes pixels without a depth test. */
   private void overwrite(int row, int from, int to, Span span, float invZ, float invZdx) {
     if (from >= to) {
       return;
@@ -191,10 +197,10 @@ public final class FrameBuffer {
   }
 
   /**
-   * Blends a translucent span with premultiplied alpha over the pixels where it passes the depth
-   * test. The depth buffer stays as it is.
+   * Blends a translucent span with premultiplied alpha over those pixels where the span passes the
+   * depth test. The depth buffer is not changed.
    *
-   * @param opacity of the whole span, 0 to 256
+   * @param opacity opacity of the whole span, 0 to 256
    */
   void blend(int row, Span span, float invZ, float invZdx, int opacity) {
     int at = row * width + span.x;
@@ -213,7 +219,7 @@ public final class FrameBuffer {
     }
   }
 
-  /** The opacity of each pixel, zero where it fails the depth test. */
+  /** Computes the opacity of each pixel; it is zero where the pixel fails the depth test. */
   private void cover(int at, int count, float invZ, float invZdx, int opacity, int[] coverage) {
     for (int i = 0; i < count; i++) {
       coverage[i] = invZ + invZdx * ramp[i] >= depth[at + i] ? opacity : 0;

@@ -4,18 +4,21 @@ import java.util.Optional;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.picture.Picture;
 
-/** A source of frames of the drones' cameras. Each video thread has its own. */
+/** Provides the frames of the drones' cameras. Each video thread has its own source. */
 public interface FrameSource {
 
   /**
-   * Fills a picture with the camera's image. Returns when it is filled.
+   * Fills a picture with the camera's image before it returns.
    *
-   * @param snapshot the moment
-   * @param picture receives the image, in the picture's size
+   * @param snapshot the state to be rendered
+   * @param picture receives the image, in the size of the picture
    */
   void film(SimSnapshot snapshot, CameraId camera, Picture picture);
 
-  /** Everything that a frame of this snapshot shows; empty if this source cannot tell. */
+  /**
+   * Returns everything that determines a frame of a snapshot, except the noise; empty if this
+   * source cannot determine it.
+   */
   default Optional<CameraView> view(SimSnapshot snapshot, CameraId camera) {
     return Optional.empty();
   }

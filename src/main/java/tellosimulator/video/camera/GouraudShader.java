@@ -2,7 +2,7 @@ package tellosimulator.video.camera;
 
 import java.util.Arrays;
 
-/** Shades a single colour with interpolated light (Gouraud shading). */
+/** Shades surfaces of a single colour with interpolated light (Gouraud shading). */
 final class GouraudShader implements SpanShader {
 
   private final Gradients gradients;
@@ -22,7 +22,7 @@ final class GouraudShader implements SpanShader {
   /**
    * Sets the colour.
    *
-   * @param packed in the frame buffer's colour space
+   * @param packed the colour, packed in the frame buffer's colour space
    */
   void setColor(int packed) {
     color = packed;
@@ -45,7 +45,7 @@ final class GouraudShader implements SpanShader {
   }
 
   private void interpolateLight(double firstLightOverZ, double firstInvZ) {
-    if (gradients.constantLight) { // without a division for each pixel
+    if (gradients.constantLight) { // avoids a division for each pixel
       Arrays.fill(span.light, 0, span.count, intensity(gradients.lightValue));
       return;
     }

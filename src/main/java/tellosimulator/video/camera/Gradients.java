@@ -2,13 +2,14 @@ package tellosimulator.video.camera;
 
 /**
  * The screen-space gradients of a triangle's attributes, for perspective-correct interpolation. An
- * attribute that is linear on the triangle is not linear on the screen; but divided by depth it is,
- * and so is 1/z. Each is a plane equation: a value at the upper left corner of the screen, and its
- * derivatives by x and y. Refilled for each triangle; for one thread.
+ * attribute that is linear on the triangle is not linear on the screen. However, the attribute
+ * divided by depth is linear, and so is 1/z. Each of these quantities is stored as a plane
+ * equation: its value at the upper left corner of the screen, and its derivatives with respect to x
+ * and y. Reused for each triangle. Not thread-safe.
  *
- * <p>The plane equations come from homogeneous coordinates (as in Olano and Greer, Triangle Scan
- * Conversion using 2D Homogeneous Coordinates, 1997), so parts of the triangle may be behind the
- * camera.
+ * <p>The plane equations are derived from homogeneous coordinates (as in Olano and Greer, Triangle
+ * Scan Conversion using 2D Homogeneous Coordinates, 1997), so parts of the triangle may be behind
+ * the camera.
  */
 final class Gradients {
 
@@ -25,20 +26,20 @@ final class Gradients {
   double lightOverZdx;
   double lightOverZdy;
 
-  /** Whether all three vertices have the same light, as those of a flat surface have. */
+  /** Whether all three vertices have the same light, as on a flat surface. */
   boolean constantLight;
 
-  /** That light, 0 to 1. */
+  /** The light at all vertices if it is constant, 0 to 1. */
   double lightValue;
 
   /** The inverse of the matrix of the vertices, column by column. */
   private final double[] inverse = new double[9];
 
   /**
-   * Sets up a triangle and the gradient of 1/z.
+   * Sets a triangle, and computes the gradient of 1/z.
    *
-   * @param homogeneous x, y and w of each vertex, as {@link ModelViewProjection} makes them
-   * @return whether it is a front face
+   * @param homogeneous x, y and w of each vertex, as computed by {@link ModelViewProjection}
+   * @return whether the triangle is a front face
    */
   boolean setTriangle(double[] homogeneous, int[] triangle) {
     int a = 3 * triangle[0];
@@ -52,7 +53,7 @@ final class Gradients {
             + homogeneous[a + 1] * inverse[1]
             + homogeneous[a + 2] * inverse[2];
     if (!(determinant < 0)) {
-      return false; // y points down on the screen, so counter-clockwise is negative
+      return false; // y points down, so counter-clockwise is negative
     }
     double factor = 1 / determinant;
     for (int i = 0; i < 9; i++) {
@@ -67,7 +68,7 @@ final class Gradients {
   /**
    * Sets the texture coordinates.
    *
-   * @param texCoords u and v of each vertex, from an index on
+   * @param texCoords contains u and v of each vertex, starting at index {@code at}
    */
   void setTexture(float[] texCoords, int at, MipMap texture) {
     double ua = texCoords[at] * texture.width();
@@ -84,7 +85,12 @@ final class Gradients {
     vOverZ = va * inverse[2] + vb * inverse[5] + vc * inverse[8];
   }
 
-  /** Sets the light at the vertices, by the indices of their normals from an index on. */
+  /**
+   * Sets the light at the vertices.
+   *
+   * @param intensities the light at each normal
+   * @param normalIndices contains the index of each vertex's normal, starting at index {@code at}
+   */
   void setLight(float[] intensities, int[] normalIndices, int at) {
     double a = intensities[normalIndices[at]];
     double b = intensities[normalIndices[at + 1]];

@@ -8,9 +8,9 @@ import tellosimulator.scenery.mesh.Lights.Directional;
 import tellosimulator.scenery.mesh.Rgb;
 
 /**
- * Diffuse (Lambert) light of the scene's lights at the normals of a mesh. They are taken to be
- * white, which they nearly are: then light acts the same in any colour space. Refilled for each
- * mesh; for one thread.
+ * Computes the diffuse (Lambert) lighting of a mesh at each of its normals. The lights are treated
+ * as white, which is nearly correct, so that light has the same effect in any colour space. Reused
+ * for each mesh. Not thread-safe.
  */
 final class Lighting {
 
@@ -21,7 +21,7 @@ final class Lighting {
     return intensities;
   }
 
-  /** Computes the light on a mesh in some attitude. */
+  /** Computes the light on a mesh that has the given attitude. */
   void illuminate(Lights lights, RenderMesh mesh, Attitude attitude) {
     float[] normals = mesh.normals;
     int count = normals.length / 3;
@@ -45,7 +45,7 @@ final class Lighting {
     }
   }
 
-  /** ITU-R BT.601. */
+  /** Returns the luma of a colour according to ITU-R BT.601. */
   private static double luma(Rgb color) {
     return (0.299 * color.red() + 0.587 * color.green() + 0.114 * color.blue()) / 255;
   }

@@ -5,16 +5,19 @@ import java.util.List;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * A mip-mapped texture in a colour space: sides are powers of two, and each level is half as large
- * as the one before, so that at some level about one texel falls on one pixel. Immutable; for any
- * thread.
+ * A mip-mapped texture in a colour space. Its sides are powers of two, and each level is half as
+ * large as the previous one, so that there is a level at which about one texel falls on one pixel.
+ * Immutable.
  */
 final class MipMap {
 
-  /** Longest side [texels]. Decided: finer than a wall of 5 m looks from a metre away. */
+  /**
+   * Maximum length of a side [texels]. Decided: on a wall of 5 m, one texel covers one pixel when
+   * seen from 4.5 m.
+   */
   private static final int MAX_SIZE = 1024;
 
-  /** One texel in fixed-point texture coordinates. */
+  /** The size of one texel in fixed-point texture coordinates. */
   static final int ONE = 1 << 16;
 
   private final Level[] levels;
@@ -22,9 +25,9 @@ final class MipMap {
   private final double[] vScale;
 
   /**
-   * A mip level. Where the colour space subsamples chroma ({@link ColorSpace#subsampled()}), the
-   * second and third channel and their alpha are those of the next level, half as wide and high, as
-   * about one of their texels falls on one chroma sample.
+   * A mip level. If the colour space subsamples chroma ({@link ColorSpace#subsampled()}), the
+   * second and third channel and their alpha are taken from the next level, which is half as wide
+   * and high, so that about one of their texels falls on one chroma sample.
    */
   record Level(
       BilinearTexels first,
@@ -61,7 +64,10 @@ final class MipMap {
   }
 
   /**
-   * @param alpha whether the texture's alpha counts; colours are then premultiplied with it
+   * Builds all levels.
+   *
+   * @param alpha whether the alpha channel of the texture is used; if so, colours are premultiplied
+   *     with it
    */
   MipMap(Texture texture, ColorSpace space, boolean alpha) {
     List<Texels> chain = chain(Texels.of(texture, space, alpha).powerOfTwo(MAX_SIZE));
@@ -102,20 +108,26 @@ final class MipMap {
   }
 
   /**
-   * A mip level.
+   * Returns a mip level.
    *
-   * @param number 0 is the largest
+   * @param number 0 for the largest level
    */
   Level level(int number) {
     return levels[number];
   }
 
-  /** Converts u in texels of level 0 to fixed-point texels of another level. */
+  /**
+   * Returns the factor that converts u from texels of level 0 to fixed-point texels of another
+   * level.
+   */
   double uScale(int number) {
     return uScale[number];
   }
 
-  /** Converts v in texels of level 0 to fixed-point texels of another level. */
+  /**
+   * Returns the factor that converts v from texels of level 0 to fixed-point texels of another
+   * level.
+   */
   double vScale(int number) {
     return vScale[number];
   }

@@ -6,9 +6,10 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Instance;
 
 /**
- * The model-view-projection transform, viewport transform included: from model coordinates to
- * homogeneous screen coordinates x, y and w. w is the depth along the camera's axis [m]; x / w and
- * y / w are pixels to the right and down from the upper left corner. Reused; for one thread.
+ * The model-view-projection transform including the viewport transform. It converts model
+ * coordinates to the homogeneous screen coordinates x, y and w. w is the depth along the camera's
+ * axis [m]; x / w and y / w are pixels to the right and down from the upper left corner. Reused.
+ * Not thread-safe.
  */
 final class ModelViewProjection {
 
@@ -20,7 +21,7 @@ final class ModelViewProjection {
   private int height;
   private double near;
 
-  /** Lengths of the normals of the frustum's side planes. */
+  /** Length of the normals of the left and right side planes of the frustum. */
   private double sideNorm;
 
   private double topNorm;
@@ -85,16 +86,16 @@ final class ModelViewProjection {
   }
 
   /**
-   * Frustum culling: whether a bounding sphere may be visible.
+   * Frustum culling: returns whether a bounding sphere may be visible.
    *
-   * @param center in model coordinates
-   * @param radius in the room [m]
+   * @param center the centre, in model coordinates
+   * @param radius the radius in the room [m]
    */
   boolean intersectsFrustum(double[] center, double radius) {
     double x = row(0, center);
     double y = row(4, center);
     double w = row(8, center);
-    // How far the centre is outside the side planes.
+    // Distances by which the centre is outside the side planes.
     double aside = Math.max(-x, x - width * w) / sideNorm;
     double above = Math.max(-y, y - height * w) / topNorm;
     return w + radius > near && aside < radius && above < radius;
@@ -107,7 +108,7 @@ final class ModelViewProjection {
         + matrix[row + 3];
   }
 
-  /** Sets the rotation matrix of an attitude, row by row. */
+  /** Sets the rotation matrix for an attitude, row by row. */
   private void setRotation(Attitude attitude) {
     double w = attitude.w();
     double x = attitude.x();

@@ -2,9 +2,9 @@ package tellosimulator.video.camera;
 
 /**
  * A scanline rasteriser for convex polygons. It covers the pixels whose centres are inside, and
- * follows the top-left rule for centres on an edge. So each pixel belongs to exactly one of two
- * polygons that share an edge: edges are always scanned downwards, which gives both the very same
- * columns. For one thread.
+ * applies the top-left rule to centres on an edge. Edges are always scanned downwards, so a shared
+ * edge gives exactly the same columns for both polygons. Each pixel therefore belongs to exactly
+ * one of them. Not thread-safe.
  */
 final class PolygonRasterizer {
 
@@ -13,7 +13,7 @@ final class PolygonRasterizer {
   private int width;
   private int height;
 
-  /** Sets the size of the viewport in pixels. */
+  /** Sets the size of the viewport [pixels]. */
   void setViewport(int newWidth, int newHeight) {
     width = newWidth;
     height = newHeight;
@@ -23,7 +23,7 @@ final class PolygonRasterizer {
     }
   }
 
-  /** Shades the spans of a polygon whose vertices are counter-clockwise on the screen. */
+  /** Shades the spans of a polygon. Its vertices must be counter-clockwise on the screen. */
   void rasterize(ClippedPolygon polygon, SpanShader shader) {
     double[] xy = polygon.xy;
     int last = 2 * polygon.vertexCount() - 2;
@@ -41,7 +41,7 @@ final class PolygonRasterizer {
     for (int i = 0; i <= last; i += 2) {
       int next = i == last ? 0 : i + 2;
       if (xy[i + 1] < xy[next + 1]) {
-        scanEdge(xy, i, next, leftX); // counter-clockwise, downward edges are on the left
+        scanEdge(xy, i, next, leftX); // downward edges of a counter-clockwise polygon
       } else {
         scanEdge(xy, next, i, rightX);
       }
@@ -67,7 +67,7 @@ final class PolygonRasterizer {
     }
   }
 
-  /** The first pixel whose centre is not before a coordinate. */
+  /** Returns the first pixel whose centre is not before a coordinate. */
   private static int firstPixel(double coordinate) {
     return (int) Math.ceil(coordinate - 0.5);
   }

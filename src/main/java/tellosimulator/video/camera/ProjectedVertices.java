@@ -2,8 +2,8 @@ package tellosimulator.video.camera;
 
 /**
  * The vertices of a mesh after projection: in homogeneous coordinates, in screen coordinates, and
- * as outcodes for clipping. The arrays are refilled for each mesh, as there are thousands of
- * vertices in a frame. For one thread.
+ * as outcodes for clipping. The arrays are reused for each mesh, because a frame has thousands of
+ * vertices. Not thread-safe.
  */
 final class ProjectedVertices {
 
@@ -12,10 +12,13 @@ final class ProjectedVertices {
   static final int TOP = 4;
   static final int BOTTOM = 8;
 
-  /** Before the near plane or behind the camera; such a vertex has no screen coordinates. */
+  /**
+   * Marks a vertex that is nearer than the near plane, or behind the camera. Such a vertex has no
+   * screen coordinates.
+   */
   static final int NEAR = 16;
 
-  /** x, y and w of each vertex, as {@link ModelViewProjection} makes them. */
+  /** x, y and w of each vertex, as computed by {@link ModelViewProjection}. */
   double[] homogeneous = new double[0];
 
   /** x and y of each vertex on the screen [pixels]. */

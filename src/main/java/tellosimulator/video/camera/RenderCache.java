@@ -8,9 +8,9 @@ import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * A cache of meshes and textures prepared for rendering in a colour space. They are prepared when a
- * camera first sees them, and kept as long as a scene holds the originals. For any thread; all
- * cameras share one.
+ * A cache of meshes and textures that have been prepared for rendering in a colour space. They are
+ * prepared when first rendered, and are kept as long as a scene refers to the originals.
+ * Thread-safe; shared by all cameras.
  */
 public final class RenderCache {
 
@@ -41,11 +41,11 @@ public final class RenderCache {
   }
 
   /**
-   * The opaque colour of a part's texture at texture coordinates, which wrap around, packed in the
-   * colour space.
+   * Returns the opaque colour of a part's texture at texture coordinates, packed in the colour
+   * space. The coordinates wrap around.
    *
-   * @param u from the left edge, in widths of the texture
-   * @param v from the upper edge, in its heights
+   * @param u distance from the left edge, in widths of the texture
+   * @param v distance from the upper edge, in heights of the texture
    */
   int color(Part part, float u, float v) {
     Texture texture = part.material().texture();
@@ -60,10 +60,11 @@ public final class RenderCache {
   }
 
   /**
-   * Values computed from keys, kept as long as these live; a value must not refer to its key. For
-   * any thread; a value that two threads want at the same time is computed once.
+   * Stores values that are computed from keys. A value is kept as long as its key is reachable, and
+   * must not refer to its key. Thread-safe; a value that two threads request at the same time is
+   * computed once.
    *
-   * @param <K> compared by identity
+   * @param <K> the type of the keys, which are compared by identity
    */
   private static final class WeakCache<K, V> {
 

@@ -3,8 +3,8 @@ package tellosimulator.video.camera;
 import tellosimulator.scenery.mesh.Mesh;
 
 /**
- * A mesh laid out for rendering, with its bounding sphere. Its arrays must only be read. Immutable;
- * for any thread.
+ * A mesh laid out for rendering, with its bounding sphere. The arrays must not be modified.
+ * Immutable.
  */
 final class RenderMesh {
 
@@ -14,16 +14,19 @@ final class RenderMesh {
   /** x, y and z of each normal. */
   final float[] normals;
 
-  /** Three vertex indices a triangle. */
+  /** Three vertex indices for each triangle. */
   final int[] positionIndices;
 
-  /** Three normal indices a triangle. */
+  /** Three normal indices for each triangle. */
   final int[] normalIndices;
 
-  /** u and v of three corners a triangle. */
+  /** u and v of the three corners of each triangle. */
   final float[] texCoords;
 
-  /** Whether all corners of a triangle have the same texture coordinates, and so one colour. */
+  /**
+   * Whether all corners of a triangle have the same texture coordinates; such a triangle has a
+   * single colour.
+   */
   final boolean[] solid;
 
   /** Centre of the bounding sphere [m]. */
@@ -62,7 +65,7 @@ final class RenderMesh {
     return texCoords[one] == texCoords[other] && texCoords[one + 1] == texCoords[other + 1];
   }
 
-  /** Puts the centre into that of the axis-aligned bounding box; the radius. */
+  /** Sets the centre to the centre of the axis-aligned bounding box, and returns the radius. */
   private double boundingSphere() {
     for (int axis = 0; axis < 3; axis++) {
       double low = Double.POSITIVE_INFINITY;

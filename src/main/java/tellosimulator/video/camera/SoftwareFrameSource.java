@@ -3,22 +3,26 @@ package tellosimulator.video.camera;
 import java.util.Arrays;
 import java.util.Optional;
 import tellosimulator.math.Pose;
+import tellosimulator.model.DroneState;
 import tellosimulator.scenery.Scene;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.picture.Picture;
 
-/** Renders the drones' cameras with a software camera. For one thread at a time. */
+/** Renders the drones' cameras with a software camera. Used by one thread at a time. */
 public final class SoftwareFrameSource implements FrameSource {
 
-  /** Makes the scene of a snapshot. */
+  /** Creates the scene of a snapshot. */
   @FunctionalInterface
   public interface SceneFactory {
 
-    /** What the cameras of a drone see: all but the drone itself. */
+    /**
+     * Returns the scene for the cameras of a drone. The scene contains everything but the drone
+     * itself.
+     */
     Scene scene(SimSnapshot snapshot, int drone);
   }
 
-  /** Cb and Cr of grey. */
+  /** The value of Cb and Cr for grey. */
   private static final byte NEUTRAL = (byte) 128;
 
   private final SoftwareCamera renderer;
@@ -27,7 +31,10 @@ public final class SoftwareFrameSource implements FrameSource {
   private Optional<FrameBuffer> frameBuffer = Optional.empty();
 
   /**
-   * @param cache for {@link ColorSpace#YUV}; shared by all sources, as it takes much memory
+   * Creates a source.
+   *
+   * @param cache a cache for {@link ColorSpace#YUV}; shared by all sources, because it takes much
+   *     memory
    */
   public SoftwareFrameSource(RenderCache cache, DroneOptics optics, SceneFactory scenes) {
     if (cache.space() != ColorSpace.YUV) {
@@ -41,12 +48,15 @@ public final class SoftwareFrameSource implements FrameSource {
   @Override
   public void film(SimSnapshot snapshot, CameraId camera, Picture picture) {
     CameraView view = seen(snapshot, camera);
+    int height = height(camera, picture);
     if (camera.downward()) {
-      filmDownward(view.scene(), view.drone(), picture);
+      filmDownward(view.scene(), view.drone(), picture, height);
     } else {
-      PinholeCamera ahead = optics.ahead(view.drone(), picture.width(), picture.height());
-      renderer.draw(view.scene(), ahead, frameBuffer(picture, picture.height()));
+      PinholeCamera ahead = optics.ahead(view.drone(), picture.width(), height);
+      renderer.draw(view.scene(), ahead, frameBuffer(picture, height));
     }
+    int pixels = picture.width() * height;
+    SensorNoise.addTo(picture.y(), pixels, snapshot.seed(), state(snapshot, camera.drone()));
   }
 
   @Override
@@ -55,24 +65,33 @@ public final class SoftwareFrameSource implements FrameSource {
   }
 
   private CameraView seen(SimSnapshot snapshot, CameraId camera) {
-    Pose drone = pose(snapshot, camera.drone());
+    Pose drone = state(snapshot, camera.drone()).motion().pose();
     return new CameraView(scenes.scene(snapshot, camera.drone()), drone, camera.downward());
   }
 
   /**
-   * The downward camera has no chroma, and only the upper part of the frame is its image, with an
-   * aspect ratio of 4:3. The rest is zero, which is green. Measured: 320 by 240 of 320 by 720
-   * pixels (DTP #140).
+   * Renders the image of the downward camera. The image has no chroma, and covers only the upper
+   * part of the frame. The rest of the frame is zero, which appears green.
    */
-  private void filmDownward(Scene scene, Pose drone, Picture picture) {
+  private void filmDownward(Scene scene, Pose drone, Picture picture, int height) {
     int width = picture.width();
-    int height = Math.min(picture.height(), width * 3 / 4 / 2 * 2);
     renderer.draw(scene, optics.below(drone, width, height), frameBuffer(picture, height));
     Arrays.fill(picture.y(), width * height, picture.y().length, (byte) 0);
     for (byte[] chroma : new byte[][] {picture.u(), picture.v()}) {
       Arrays.fill(chroma, 0, width * height / 4, NEUTRAL);
       Arrays.fill(chroma, width * height / 4, chroma.length, (byte) 0);
     }
+  }
+
+  /**
+   * Returns the height of a camera's image in a picture [pixels]. The downward camera's image has
+   * an aspect ratio of 4:3. Measured: it covers 320 by 240 pixels of a picture of 320 by 720 (DTP
+   * #140).
+   */
+  private static int height(CameraId camera, Picture picture) {
+    return camera.downward()
+        ? Math.min(picture.height(), picture.width() * 3 / 4 / 2 * 2)
+        : picture.height();
   }
 
   private FrameBuffer frameBuffer(Picture picture, int height) {
@@ -82,7 +101,7 @@ public final class SoftwareFrameSource implements FrameSource {
     return frameBuffer.get();
   }
 
-  private static Pose pose(SimSnapshot snapshot, int drone) {
-    return snapshot.drones().get(drone - 1).state().motion().pose();
+  private static DroneState state(SimSnapshot snapshot, int drone) {
+    return snapshot.drones().get(drone - 1).state();
   }
 }

@@ -1,9 +1,9 @@
 package tellosimulator.video.camera;
 
 /**
- * A horizontal run of shaded pixels, before the depth test. Where a colour space subsamples chroma
- * ({@link ColorSpace#subsampled()}), the second and third channel have values for even columns
- * only. The arrays are reused for each span; for one thread.
+ * A horizontal run of shaded pixels before the depth test. If the colour space subsamples chroma
+ * ({@link ColorSpace#subsampled()}), the second and third channel have values only for even
+ * columns. The arrays are reused for each span. Not thread-safe.
  */
 final class Span {
 
@@ -13,22 +13,22 @@ final class Span {
   /** The number of pixels. */
   int count;
 
-  /** First channel, 0 to 255, as all channels. */
+  /** The first channel; all channels range from 0 to 255. */
   int[] first = new int[0];
 
   int[] second = new int[0];
   int[] third = new int[0];
 
-  /** Alpha of each pixel, 0 to 255; of translucent spans only. */
+  /** The alpha of each pixel, 0 to 255; set only for translucent spans. */
   int[] alpha = new int[0];
 
-  /** Alpha of the second and third channel. */
+  /** The alpha of the second and third channel. */
   int[] chromaAlpha = new int[0];
 
-  /** By how much each pixel is blended, 0 to 256; nothing where it is hidden. */
+  /** The blending weight of each pixel, 0 to 256; 0 where it is hidden. */
   int[] coverage = new int[0];
 
-  /** Light on each pixel, 0 to 256; of lit spans only. */
+  /** The light on each pixel, 0 to 256; set only for lit spans. */
   int[] light = new int[0];
 
   void ensureCapacity(int pixels) {
@@ -53,7 +53,7 @@ final class Span {
     return (count - firstEven() + 1) / 2;
   }
 
-  /** Keeps the coverage of even columns only. */
+  /** Removes the coverage of odd columns. */
   void subsampleCoverage() {
     int from = firstEven();
     int size = evenCount();
@@ -62,7 +62,7 @@ final class Span {
     }
   }
 
-  /** Modulates all channels with the light. */
+  /** Modulates all channels by the light. */
   void modulate(ColorSpace space) {
     int black = space.black();
     modulate(first, 0, 1, count, black >> 16 & 255);

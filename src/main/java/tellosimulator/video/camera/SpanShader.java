@@ -1,8 +1,8 @@
 package tellosimulator.video.camera;
 
 /**
- * Shades spans of a triangle and writes them to a frame buffer. Set up for each triangle by its
- * {@link Gradients}; for one thread.
+ * Shades the spans of a triangle and writes them to a frame buffer. A shader is set up for each
+ * triangle by its {@link Gradients}. Not thread-safe.
  */
 interface SpanShader {
 
@@ -11,7 +11,7 @@ interface SpanShader {
    *
    * @param y the scanline
    * @param fromX the first pixel
-   * @param toX one beyond the last pixel
+   * @param toX the pixel after the last one
    */
   void shade(int y, int fromX, int toX);
 }

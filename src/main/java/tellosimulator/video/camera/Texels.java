@@ -3,15 +3,15 @@ package tellosimulator.video.camera;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * A texture image in some size and colour space, while its mip levels are built. The first column
- * and row are repeated behind the last, so that neighbours wrap around. Immutable; for any thread.
+ * A texture image in some size and colour space, used while the mip levels are built. The first
+ * column and row are repeated after the last ones, so that neighbours wrap around. Immutable.
  *
- * <p>A texel is a long with 16 bits a channel, so that one multiplication weights all four: 255
- * times a weight of 256 still fits.
+ * <p>A texel is a long with 16 bits for each channel. One multiplication therefore weights all four
+ * channels, because 255 times a weight of 256 still fits into 16 bits.
  */
 final class Texels {
 
-  /** The shift of the first channel in a texel. */
+  /** The shift of the first channel within a texel. */
   static final int FIRST = 16;
 
   static final int SECOND = 32;
@@ -27,7 +27,7 @@ final class Texels {
   private final int width;
   private final int height;
 
-  /** Row by row, with one column and one row more. */
+  /** The texels row by row, with one additional column and row. */
   private final long[] texels;
 
   private Texels(int width, int height) {
@@ -37,18 +37,17 @@ final class Texels {
   }
 
   /**
-   * A texture in its own size.
+   * Creates the texels of a texture in its original size.
    *
-   * @param alpha whether alpha counts; colours are then premultiplied with it
+   * @param alpha whether the alpha channel is used; if so, colours are premultiplied with it
    */
   static Texels of(Texture texture, ColorSpace space, boolean alpha) {
     Texels made = new Texels(texture.width(), texture.height());
-    int[] argb = texture.argbArray();
     for (int y = 0; y < made.height; y++) {
-      int to = made.index(0, y);
-      for (int i = y * made.width; i < (y + 1) * made.width; i++, to++) {
-        long opaque = unpack(space.pack(argb[i] | 0xff000000));
-        made.texels[to] = alpha ? premultiplied(opaque, argb[i] >>> 24) : opaque;
+      for (int x = 0; x < made.width; x++) {
+        int argb = texture.argb(x, y);
+        long opaque = unpack(space.pack(argb | 0xff000000));
+        made.texels[made.index(x, y)] = alpha ? premultiplied(opaque, argb >>> 24) : opaque;
       }
     }
     made.wrapEdges();
@@ -64,9 +63,9 @@ final class Texels {
   }
 
   /**
-   * One channel, prepared for bilinear filtering.
+   * Returns one channel, prepared for bilinear filtering.
    *
-   * @param shift of the channel
+   * @param shift the shift of the channel
    */
   BilinearTexels channel(int shift) {
     int[] packed = new int[BilinearTexels.size(width, height)];
@@ -83,14 +82,14 @@ final class Texels {
     return new BilinearTexels(width, height, packed);
   }
 
-  /** A texel in the lowest 8 bits, and the one below it 16 bits higher. */
+  /** Returns a texel in the lowest 8 bits, and the texel below it 16 bits higher. */
   private int column(int at, int shift) {
     int upper = (int) (texels[at] >>> shift) & 255;
     int lower = (int) (texels[at + width + 1] >>> shift) & 255;
     return upper | (lower << 16);
   }
 
-  /** Downsamples by a box filter of 2x2 texels; a side of one texel stays. */
+  /** Downsamples with a box filter of 2x2 texels. A side of one texel is kept. */
   Texels halved() {
     Texels half = new Texels(Math.max(1, width / 2), Math.max(1, height / 2));
     int right = width > 1 ? 1 : 0;
@@ -107,9 +106,9 @@ final class Texels {
   }
 
   /**
-   * Resamples each side to the next power of two, but not beyond a limit.
+   * Resamples each side to the next power of two, but not above a limit.
    *
-   * @param maxSize a power of two
+   * @param maxSize the limit, a power of two
    */
   Texels powerOfTwo(int maxSize) {
     Texels small = this;
@@ -148,7 +147,7 @@ final class Texels {
     System.arraycopy(texels, 0, texels, index(0, height), width + 1);
   }
 
-  /** A bilinear sample, clamped to the edges. */
+  /** Returns a bilinear sample, clamped to the edges. */
   private long bilinear(double u, double v) {
     int x = (int) Math.floor(u);
     int y = (int) Math.floor(v);
@@ -163,7 +162,7 @@ final class Texels {
     return texels[index(Math.max(0, Math.min(width - 1, x)), Math.max(0, Math.min(height - 1, y)))];
   }
 
-  /** Unpacks a pixel of 8 bits a channel. */
+  /** Unpacks a pixel that has 8 bits for each channel. */
   private static long unpack(int packed) {
     long low = packed & 0xffffffffL;
     return (low | (low << 24)) & MASK;

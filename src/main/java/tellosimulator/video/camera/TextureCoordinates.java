@@ -1,9 +1,9 @@
 package tellosimulator.video.camera;
 
-/** The texture coordinates of a span. Refilled for each span; for one thread. */
+/** The texture coordinates of a span. Reused for each span. Not thread-safe. */
 final class TextureCoordinates {
 
-  /** Half a texel: bilinear filtering counts from texel centres. */
+  /** Half a texel, because bilinear filtering counts from the centres of texels. */
   private static final int HALF = MipMap.ONE / 2;
 
   private static final int QUARTER = MipMap.ONE / 4;
@@ -12,14 +12,14 @@ final class TextureCoordinates {
   int count;
 
   /**
-   * In fixed-point texels ({@link MipMap#ONE}) from the centre of the first texel; overflow does no
-   * harm, as textures wrap around.
+   * Fixed-point texels ({@link MipMap#ONE}) from the centre of the first texel. Overflow is
+   * harmless, because textures wrap around.
    */
   int[] u = new int[0];
 
   int[] v = new int[0];
 
-  /** The texel at each coordinate: {@link BilinearTexels#index}. */
+  /** The index of the texel at each coordinate, as computed by {@link BilinearTexels#index}. */
   int[] index = new int[0];
 
   private int startU;
@@ -33,13 +33,13 @@ final class TextureCoordinates {
     }
   }
 
-  /** Sets where the next interpolation starts, in fixed-point texels from the texture's corner. */
+  /** Sets the start of the next interpolation, in fixed-point texels from the texture's corner. */
   void setStart(double nextU, double nextV) {
     startU = (int) (long) nextU - HALF;
     startV = (int) (long) nextV - HALF;
   }
 
-  /** Fills coordinates by linear interpolation. */
+  /** Fills a range of coordinates by linear interpolation. */
   void interpolate(int from, int to, double stepU, double stepV) {
     int[] us = u;
     int[] vs = v;
@@ -55,14 +55,14 @@ final class TextureCoordinates {
     }
   }
 
-  /** Computes the indices for all textures of this one's size. */
+  /** Computes the indices for all textures of the same size as this one. */
   void computeIndices(BilinearTexels texture) {
     computeIndices(u, v, index, count, texture.width(), texture.height());
   }
 
   private static void computeIndices(
       int[] u, int[] v, int[] index, int count, int width, int height) {
-    // As BilinearTexels.index, for many at once.
+    // The same as BilinearTexels.index, for many coordinates at once.
     int right = (width - 1) << 2;
     int lowest = (height - 1) >> 2;
     int low = (height - 1) & 3;
@@ -73,16 +73,17 @@ final class TextureCoordinates {
   }
 
   /**
-   * Subsamples a span by two: takes the middle of each pair, in texels of the next mip level.
+   * Subsamples a span by two: averages each pair of coordinates, and converts the average to texels
+   * of the next mip level.
    *
-   * @param first the index of the first pair
+   * @param first index of the first pair
    */
   void subsample(TextureCoordinates full, int first) {
     count = (full.count - first + 1) / 2;
     if (count > 0) {
       subsample(full.u, u, first, count - 1);
       subsample(full.v, v, first, count - 1);
-      int last = first + 2 * count - 2; // may be alone
+      int last = first + 2 * count - 2; // may lack a second coordinate
       int next = Math.min(last + 1, full.count - 1);
       u[count - 1] = (full.u[last] >> 2) + (full.u[next] >> 2) - QUARTER;
       v[count - 1] = (full.v[last] >> 2) + (full.v[next] >> 2) - QUARTER;

@@ -1,22 +1,25 @@
 package tellosimulator.video.camera;
 
 /**
- * Shades a mip-mapped texture with bilinear filtering. Perspective is divided out at the ends of
- * affine subspans only, and texture coordinates are interpolated linearly in between. Subspans of
- * one mip level are then sampled and written at once.
+ * Shades surfaces that have a mip-mapped texture, with bilinear filtering. The perspective division
+ * is done only at the ends of affine subspans; in between, texture coordinates are interpolated
+ * linearly. Consecutive subspans with the same mip level are then sampled and written together.
  */
 abstract class TextureShader implements SpanShader {
 
-  /** Longest subspan [pixels]. Decided: as long as one mip level will do. */
+  /** Maximum length of a subspan [pixels]. Decided: one mip level is sufficient for this length. */
   private static final int MAX_SUBSPAN = 64;
 
-  /** Shortest subspan [pixels]. Decided: shorter ones take too long. */
+  /** Minimum length of a subspan [pixels]. Decided: shorter subspans would take too long. */
   private static final int MIN_SUBSPAN = 8;
 
-  /** Level-of-detail bias: a texel's area on the screen where levels change, sharper below 1. */
+  /**
+   * Level-of-detail bias: a factor of the area of a pixel's footprint on the texture. Values below
+   * 1 give sharper images.
+   */
   private static final double LOD_BIAS = 0.7;
 
-  /** 1 divided by a number of steps; 0 for no step. */
+  /** The reciprocal of each number of steps; 0 for no steps. */
   private static final double[] RECIPROCALS = reciprocals();
 
   private static final int NO_LEVEL = -1;
@@ -33,9 +36,12 @@ abstract class TextureShader implements SpanShader {
   private final boolean alpha;
   private MipMap texture;
   private boolean lit;
+  private float depthBias = 1;
 
   /**
-   * @param alpha whether the alpha of textures counts
+   * Creates a shader.
+   *
+   * @param alpha whether the alpha channel of textures is used
    */
   private TextureShader(Gradients gradients, Span span, boolean alpha) {
     this.gradients = gradients;
@@ -52,18 +58,23 @@ abstract class TextureShader implements SpanShader {
   /**
    * Sets the texture.
    *
-   * @param newLit whether light modulates it
+   * @param newLit whether light modulates the texture
    */
   void setTexture(MipMap newTexture, boolean newLit) {
     texture = newTexture;
     lit = newLit;
   }
 
+  /** Sets the depth bias, as a factor of 1/z, for surfaces that lie on others. */
+  void setDepthBias(float newDepthBias) {
+    depthBias = newDepthBias;
+  }
+
   /**
    * Writes the span to the frame buffer.
    *
-   * @param invZ of the first pixel [1/m]
-   * @param invZdx its derivative by x
+   * @param invZ 1/z of the first pixel [1/m]
+   * @param invZdx derivative of 1/z with respect to x
    */
   abstract void write(int row, float invZ, float invZdx);
 
@@ -83,7 +94,7 @@ abstract class TextureShader implements SpanShader {
     int at = fromX;
     while (at < toX) {
       int end = Math.min(toX, (at | (length - 1)) + 1);
-      // The last subspan ends at its last pixel, as there may be no triangle beyond.
+      // The last subspan ends at its last pixel, because the triangle may not extend beyond it.
       int steps = end == toX ? end - at - 1 : end - at;
       double reciprocal = RECIPROCALS[steps];
       x = at + steps + 0.5;
@@ -109,7 +120,8 @@ abstract class TextureShader implements SpanShader {
       int nextLevel = at < toX ? mipLevel(u, v, z) : NO_LEVEL;
       if (nextLevel != level) {
         sample(row, first, at, texture.level(level));
-        write(row, (float) (invZ + g.invZdx * (first - fromX)), (float) g.invZdx);
+        double firstInvZ = invZ + g.invZdx * (first - fromX);
+        write(row, (float) firstInvZ * depthBias, (float) g.invZdx * depthBias);
         first = at;
         level = nextLevel;
       }
@@ -126,7 +138,7 @@ abstract class TextureShader implements SpanShader {
     }
   }
 
-  /** Fills the span from one mip level. */
+  /** Fills a part of the span from one mip level. */
   private void sample(int row, int fromX, int toX, MipMap.Level level) {
     span.x = fromX;
     span.count = toX - fromX;
@@ -154,9 +166,10 @@ abstract class TextureShader implements SpanShader {
   }
 
   /**
-   * The longest subspan whose middle, at one texel a pixel, is at most a quarter of a texel off.
-   * Over n pixels depth changes by n times the derivative of 1/z, as a share of it, and texture
-   * coordinates are off by a quarter of that share of n.
+   * Returns the length [pixels] of the longest subspan in whose middle, at one texel per pixel, the
+   * texture coordinate is wrong by at most a quarter of a texel. Over n pixels, the relative change
+   * in depth is n times the derivative of 1/z, divided by 1/z. The error of the texture coordinate
+   * is n times a quarter of this relative change.
    *
    * @return a power of two
    */
@@ -170,11 +183,11 @@ abstract class TextureShader implements SpanShader {
   }
 
   /**
-   * The mip level whose texels have about the area of a pixel; at grazing angles of the same area,
-   * but not more than half as long as a pixel's footprint. Measured: with this and {@link
-   * #LOD_BIAS}, frames of the default room come nearest to ones with 16 samples a pixel (40 dB;
-   * with the longer side alone 35 dB), and when the camera moves by 1 mm they change as much as
-   * these do.
+   * Returns the mip level whose texels have about the area of a pixel. At grazing angles, its
+   * texels are at least half as long as a pixel's footprint. Measured: with this rule and {@link
+   * #LOD_BIAS}, frames of the default room are closest to frames rendered with 16 samples a pixel
+   * (40 dB; with the longer side alone, 35 dB). When the camera moves by 1 mm, both kinds of frames
+   * change by the same amount.
    */
   private int mipLevel(double u, double v, double z) {
     double dudx = (gradients.uOverZdx - u * gradients.invZdx) * z;
@@ -184,7 +197,7 @@ abstract class TextureShader implements SpanShader {
     double area = Math.abs(dudx * dvdy - dudy * dvdx);
     double longer = Math.max(dudx * dudx + dvdx * dvdx, dudy * dudy + dvdy * dvdy);
     double squared = LOD_BIAS * Math.max(area, longer / 4);
-    // The level is half the binary logarithm, rounded.
+    // The level is half of the binary logarithm, rounded.
     int level = (Math.getExponent((float) squared) + 1) >> 1;
     return Math.max(0, Math.min(texture.levels() - 1, level));
   }
@@ -203,7 +216,7 @@ abstract class TextureShader implements SpanShader {
     return reciprocals;
   }
 
-  /** Writes an opaque texture, unlit or modulated by light. */
+  /** Writes an opaque texture, which is unlit or modulated by light. */
   static final class Opaque extends TextureShader {
 
     Opaque(Gradients gradients, Span span) {
@@ -219,17 +232,10 @@ abstract class TextureShader implements SpanShader {
     }
   }
 
-  /** Blends a translucent texture over the frame buffer: decals and see-through surfaces. */
+  /** Blends a translucent texture over the frame buffer, for decals and translucent surfaces. */
   static final class Translucent extends TextureShader {
 
-    /**
-     * Depth bias of decals, as a factor of 1/z. Decided: far more than rounding does to coplanar
-     * surfaces, and at 5 m still only 2.5 mm.
-     */
-    private static final float DECAL_DEPTH_BIAS = 1.0005f;
-
     private int opacity;
-    private float depthBias = 1;
 
     Translucent(Gradients gradients, Span span) {
       super(gradients, span, true);
@@ -239,16 +245,14 @@ abstract class TextureShader implements SpanShader {
      * Sets the opacity of the whole texture.
      *
      * @param newOpacity 0 to 1
-     * @param decal whether it is a decal, which lies on another surface
      */
-    void setOpacity(double newOpacity, boolean decal) {
-      depthBias = decal ? DECAL_DEPTH_BIAS : 1;
+    void setOpacity(double newOpacity) {
       opacity = (int) Math.round(256 * Math.max(0, Math.min(1, newOpacity)));
     }
 
     @Override
     void write(int row, float invZ, float invZdx) {
-      frameBuffer.blend(row, span, invZ * depthBias, invZdx * depthBias, opacity);
+      frameBuffer.blend(row, span, invZ, invZdx, opacity);
     }
   }
 }

@@ -3,12 +3,12 @@ package tellosimulator.video.codec;
 import java.util.Arrays;
 
 /**
- * Writes NAL units in byte stream format (H.264, Annex B) into a buffer that it reuses for each
- * access unit: a start code before each NAL unit, and emulation prevention bytes within.
+ * Writes NAL units in byte stream format (H.264, Annex B), with a start code before each unit and
+ * emulation prevention bytes within. The buffer is reused for each access unit.
  */
 final class AnnexBWriter implements AccessUnit {
 
-  /** SPS, PPS and slice. */
+  /** Maximum number of NAL units: SPS, PPS and slice. */
   private static final int MAX_NAL_UNITS = 3;
 
   private static final int START_CODE_LENGTH = 4;
@@ -18,7 +18,7 @@ final class AnnexBWriter implements AccessUnit {
   private int nalUnits;
   private boolean idr;
 
-  /** Begins an access unit; drops the one before. */
+  /** Begins an access unit and discards the previous one. */
   void begin(boolean newIdr) {
     nalUnits = 0;
     idr = newIdr;
@@ -28,8 +28,8 @@ final class AnnexBWriter implements AccessUnit {
    * Appends a NAL unit.
    *
    * @param header nal_ref_idc and nal_unit_type
-   * @param rbsp its payload, which ends with a byte that is not zero
-   * @param length of the payload
+   * @param rbsp the payload, which ends with a byte that is not zero
+   * @param length the length of the payload [bytes]
    */
   void add(int header, byte[] rbsp, int length) {
     int at = starts[nalUnits];
@@ -50,8 +50,8 @@ final class AnnexBWriter implements AccessUnit {
   }
 
   /**
-   * Writes a payload with an emulation_prevention_three_byte (H.264, 7.4.1) before each byte below
-   * 4 that follows two zeros; the end offset.
+   * Writes a payload, and inserts an emulation_prevention_three_byte (H.264, 7.4.1) before each
+   * byte below 4 that follows two zeros. Returns the end offset.
    */
   private int writeEscaped(byte[] rbsp, int length, int start) {
     int to = start;

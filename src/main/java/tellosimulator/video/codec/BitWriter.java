@@ -6,16 +6,17 @@ import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /**
- * Writes the bits of a raw byte sequence payload (RBSP), most significant bit first. JCodec's own
- * writer goes through a buffer bit by bit; this one stores eight bytes at once, and the next call
- * overwrites those that are not yet complete.
+ * Writes the bits of a raw byte sequence payload (RBSP), most significant bit first. Each call
+ * stores eight bytes at once; the next call overwrites the incomplete bytes.
  */
 final class BitWriter {
 
   private static final VarHandle LONGS =
       MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.BIG_ENDIAN);
 
-  /** Decided: more than any frame needs that is not noise. */
+  /**
+   * Initial size of the buffer [bytes]. Decided: more than any frame needs, except frames of noise.
+   */
   private static final int INITIAL_CAPACITY = 1 << 17;
 
   private byte[] bytes = new byte[INITIAL_CAPACITY];
@@ -29,7 +30,10 @@ final class BitWriter {
     pendingBits = 0;
   }
 
-  /** Ensures room for that many more bytes, so that {@link #put} need not check. */
+  /**
+   * Ensures that there is space for a number of additional bytes, so that {@link #put} need not
+   * check for it.
+   */
   void reserve(int more) {
     if (size + more + Long.BYTES > bytes.length) {
       bytes = Arrays.copyOf(bytes, 2 * bytes.length + more);
@@ -37,7 +41,7 @@ final class BitWriter {
   }
 
   /**
-   * Writes u(n): the lowest bits of a value, whose higher bits must be zero.
+   * Writes u(n), the lowest bits of a value. The higher bits of the value must be zero.
    *
    * @param length n, up to 32
    */
@@ -50,7 +54,7 @@ final class BitWriter {
     pendingBits &= 7;
   }
 
-  /** Writes ue(v), an unsigned Exp-Golomb code (H.264, 9.1); the value is not negative. */
+  /** Writes ue(v), an unsigned Exp-Golomb code (H.264, 9.1). The value must not be negative. */
   void putUe(int value) {
     put(value + 1, ueLength(value));
   }
@@ -60,22 +64,25 @@ final class BitWriter {
     putUe(codeNum(value));
   }
 
-  /** The length of {@link #putSe} in bits. */
+  /** Returns the length that {@link #putSe} writes for a value [bit]. */
   static int seLength(int value) {
     return ueLength(codeNum(value));
   }
 
-  /** The length of {@link #putUe} in bits. */
+  /** Returns the length that {@link #putUe} writes for a value [bit]. */
   static int ueLength(int value) {
     return 63 - 2 * Integer.numberOfLeadingZeros(value + 1);
   }
 
-  /** codeNum of a signed value: H.264, table 9-3. */
+  /** Returns the codeNum of a signed value (H.264, table 9-3). */
   private static int codeNum(int value) {
     return value > 0 ? 2 * value - 1 : -2 * value;
   }
 
-  /** Writes rbsp_trailing_bits: a one, then zeros up to the next byte; nothing may follow. */
+  /**
+   * Writes rbsp_trailing_bits: a one, followed by zeros up to the next byte boundary. Nothing may
+   * be written afterwards.
+   */
   void putTrailingBits() {
     put(1, 1);
     put(0, -pendingBits & 7);
@@ -86,7 +93,7 @@ final class BitWriter {
     return 8 * size + pendingBits;
   }
 
-  /** The bytes written, not a copy; complete after {@link #putTrailingBits}. */
+  /** The written bytes themselves, not a copy. Complete only after {@link #putTrailingBits}. */
   byte[] bytes() {
     return bytes;
   }

@@ -5,27 +5,30 @@ import org.jcodec.codecs.h264.H264Const;
 import org.jcodec.common.io.VLC;
 
 /**
- * Writes residual blocks in CAVLC (H.264, 9.2) with JCodec's VLC tables. JCodec's own writer
- * allocates arrays for each block.
+ * Writes residual blocks in CAVLC (H.264, 9.2) with JCodec's VLC tables. JCodec's own writer is not
+ * used, because it allocates arrays for each block.
  */
 final class CavlcWriter {
 
-  /** All nC from here on share a coeff_token table. */
+  /** The smallest nC of the last coeff_token table. All higher values of nC share this table. */
   private static final int LAST_TABLE_NC = 8;
 
-  /** Stands for nC = -1, the coeff_token table of chroma DC; real values of nC are at most 16. */
+  /**
+   * The index of the coeff_token table for chroma DC, for which the standard uses nC = -1. Real
+   * values of nC are at most 16.
+   */
   static final int CHROMA_DC_NC = 17;
 
-  /** coeff_token, by nC. */
+  /** The coeff_token tables, by nC. */
   private static final int[][] COEFF_TOKEN = coeffTokens();
 
-  /** total_zeros of 4x4 blocks, by total_coeff - 1. */
+  /** The total_zeros tables of 4x4 blocks, by total_coeff - 1. */
   private static final int[][] TOTAL_ZEROS = vlcTables(H264Const.totalZeros16);
 
-  /** total_zeros of chroma DC 2x2 blocks, by total_coeff - 1. */
+  /** The total_zeros tables of chroma DC 2x2 blocks, by total_coeff - 1. */
   private static final int[][] TOTAL_ZEROS_CHROMA_DC = vlcTables(H264Const.totalZeros4);
 
-  /** run_before, by min(zerosLeft, 7) - 1. */
+  /** The run_before tables, by min(zerosLeft, 7) - 1. */
   private static final int[][] RUN_BEFORE = vlcTables(H264Const.run);
 
   private static final int LENGTH_SHIFT = 16;
@@ -58,7 +61,10 @@ final class CavlcWriter {
     return all;
   }
 
-  /** Packs a VLC table: codewords in the lower half of each entry, lengths in the upper half. */
+  /**
+   * Packs a VLC table. Each entry has the codeword in its lower half and the length in its upper
+   * half.
+   */
   private static int[] vlcTables(VLC table) {
     int[] codes = new int[table.getCodes().length];
     for (int i = 0; i < codes.length; i++) {
@@ -73,7 +79,7 @@ final class CavlcWriter {
     put(COEFF_TOKEN[nC], 0);
   }
 
-  /** Writes a DC block, whose levels are in scan order. */
+  /** Writes a DC block; its levels must be in scan order. */
   void writeDc(int[] levels, int offset, int length, int nC) {
     int nonZeroMask = 0;
     for (int i = 0; i < length; i++) {
@@ -90,8 +96,8 @@ final class CavlcWriter {
   /**
    * Writes a 4x4 block that has nonzero levels.
    *
-   * @param levels its levels, column by column from offset on
-   * @param nonZeroMask its nonzero levels, a bit for each position of the zigzag scan
+   * @param levels the levels of the block, column by column from {@code offset} on
+   * @param nonZeroMask a bit for each position of the zigzag scan; set if the level is nonzero
    * @param length maxNumCoeff: 16, or 15 without DC
    * @param nC the predicted number of nonzero levels
    */
@@ -118,7 +124,7 @@ final class CavlcWriter {
   /**
    * Writes residual_block_cavlc for the collected levels.
    *
-   * @param nonZeroMask their scan positions
+   * @param nonZeroMask the scan positions of the levels
    * @param length maxNumCoeff
    */
   private void writeResidual(int nonZeroMask, int length, int nC) {
@@ -139,7 +145,10 @@ final class CavlcWriter {
     writeRuns(totalCoeff, totalZeros);
   }
 
-  /** The index of a coeff_token in JCodec's tables: by total_coeff, then by trailing ones. */
+  /**
+   * Returns the index of a coeff_token in JCodec's tables, which are ordered by total_coeff and
+   * then by trailing ones.
+   */
   private static int coeffTokenIndex(int totalCoeff, int trailingOnes) {
     return switch (totalCoeff) {
       case 0 -> 0;

@@ -3,15 +3,15 @@ package tellosimulator.video.codec;
 import tellosimulator.video.picture.Picture;
 
 /**
- * A 4:2:0 frame of whole macroblocks with padded borders. The encoder has three: the source frame,
- * the reconstructed frame, and the reference frame, which is the reconstruction of the frame
- * before.
+ * A 4:2:0 frame that consists of whole macroblocks and has padded borders. The encoder has three of
+ * them: the source frame, the reconstructed frame, and the reference frame, which is the
+ * reconstruction of the previous frame.
  */
 final class Frame {
 
   /**
-   * Padding of the luma plane [samples]. Decided: how far a motion vector may point beyond the
-   * edge, and eight samples for the six-tap filter.
+   * Padding of the luma plane [samples]. Decided: motion vectors may point up to 24 samples beyond
+   * the edge, and the six-tap filter needs up to eight more.
    */
   static final int BORDER = 32;
 

@@ -3,24 +3,33 @@ package tellosimulator.video.codec;
 import tellosimulator.video.picture.Picture;
 
 /**
- * An H.264 encoder: Constrained Baseline, one slice a frame, one reference frame. A GOP is an IDR
- * frame and the P frames up to the next; there are no B frames and no deblocking.
+ * An H.264 encoder for the Constrained Baseline profile, with one slice per frame and one reference
+ * frame. A GOP consists of an IDR frame and the P frames up to the next IDR frame; there are no B
+ * frames and no deblocking.
  *
  * <p>JCodec's own encoder compares sample by sample in its motion search, never codes P_Skip, and
- * allocates arrays throughout. This one takes JCodec's parameter sets and VLC tables and does the
- * rest on arrays that it reuses, eight samples at once ({@link Swar}). After the first frames it
- * allocates nothing but the tables of a QP that is used for the first time.
+ * allocates arrays throughout. This encoder takes only the parameter sets and VLC tables from
+ * JCodec. It reuses its arrays, and processes eight samples at once ({@link Swar}). After the first
+ * frames, it allocates memory only when a QP is used for the first time.
  */
 public final class H264Encoder implements VideoEncoder {
 
-  /** NAL unit header bytes: nal_ref_idc and nal_unit_type. Documented: H.264, 7.3.1. */
+  /**
+   * The header byte of the NAL unit of an SPS. Each header consists of nal_ref_idc and
+   * nal_unit_type. Documented: H.264, 7.3.1.
+   */
   private static final int NAL_SPS = 0x67;
 
+  /** The header byte of the NAL unit of a PPS. */
   private static final int NAL_PPS = 0x68;
+
+  /** The header byte of the NAL unit of an IDR slice. */
   private static final int NAL_IDR_SLICE = 0x65;
+
+  /** The header byte of the NAL unit of any other slice. */
   private static final int NAL_NON_IDR_SLICE = 0x41;
 
-  /** Documented: H.264, 7.4.3: idr_pic_id is below. */
+  /** Number of different values of idr_pic_id. Documented: H.264, 7.4.3. */
   private static final int IDR_PIC_IDS = 1 << 16;
 
   private final int width;
@@ -37,8 +46,10 @@ public final class H264Encoder implements VideoEncoder {
   private int idrPicId;
 
   /**
-   * @param width of the frames in pixels, even
-   * @param height of the frames in pixels, even
+   * Creates an encoder.
+   *
+   * @param width width of the frames [pixels], even
+   * @param height height of the frames [pixels], even
    */
   public H264Encoder(int width, int height) {
     this.width = width;

@@ -1,8 +1,8 @@
 package tellosimulator.video.codec;
 
 /**
- * The current macroblock: source samples, coding decisions and residual. One object serves all
- * macroblocks of a slice in turn; {@link SliceEncoder} fills it in, and {@link MacroblockWriter}
+ * The current macroblock: source samples, coding decisions and residual. One object is used for all
+ * macroblocks of a slice in turn. {@link SliceEncoder} fills it in, and {@link MacroblockWriter}
  * writes it.
  */
 final class Macroblock {
@@ -18,19 +18,19 @@ final class Macroblock {
 
   QpTables tables;
 
-  /** Motion vector difference, horizontal [quarter samples]. */
+  /** Horizontal motion vector difference [quarter samples]. */
   int mvdX;
 
-  /** Motion vector difference, vertical [quarter samples]. */
+  /** Vertical motion vector difference [quarter samples]. */
   int mvdY;
 
-  /** Intra16x16PredMode: H.264, table 8-4. */
+  /** The Intra16x16PredMode (H.264, table 8-4). */
   int intra16x16PredMode;
 
-  /** intra_chroma_pred_mode: H.264, table 8-5. */
+  /** The intra_chroma_pred_mode (H.264, table 8-5). */
   int intraChromaPredMode;
 
-  /** Moves on to another macroblock and loads its source samples. */
+  /** Moves on to another macroblock, and loads its source samples. */
   void load(Frame frame, int newMbX, int newMbY) {
     mbX = newMbX;
     mbY = newMbY;

@@ -1,48 +1,49 @@
 package tellosimulator.video.codec;
 
 /**
- * The 4:2:0 samples of one macroblock with a stride of 16: sixteen rows of luma, then eight rows
- * with Cb in the left half and Cr in the right. So all 24 blocks of 4x4 samples have the same
- * layout: four in a row, the last two rows of blocks chroma.
+ * The 4:2:0 samples of one macroblock with a stride of 16. Sixteen rows of luma are followed by
+ * eight rows that contain Cb in the left half and Cr in the right half. All 24 blocks of 4x4
+ * samples therefore have the same layout, with four blocks in a row; the last two rows of blocks
+ * are chroma.
  */
 final class MacroblockSamples {
 
-  /** From one row to the next [bytes]. */
+  /** The distance between the beginnings of two rows [bytes]. */
   static final int STRIDE = 16;
 
   /** The number of 4x4 blocks. */
   static final int BLOCKS = 24;
 
-  /** The first chroma block. */
+  /** The number of the first chroma block. */
   static final int CHROMA = 16;
 
-  /** Offset of Cb. */
+  /** The offset of Cb. */
   static final int CB = 256;
 
-  /** Offset of Cr. */
+  /** The offset of Cr. */
   static final int CR = CB + 8;
 
-  /** Size of Cb and Cr together. */
+  /** The size of Cb and Cr together [bytes]. */
   static final int CHROMA_BYTES = 128;
 
   final byte[] bytes = new byte[CB + CHROMA_BYTES];
 
   /**
-   * SADs of eight samples each, in four lanes. HotSpot vectorises the loop that fills them, as it
-   * is so simple.
+   * The SADs of groups of eight samples. Each word has four lanes, one for each pair of samples.
+   * The loop that computes them is simple enough for HotSpot to vectorise.
    */
   private final long[] rows = new long[bytes.length / 8];
 
   /**
-   * The offset of a 4x4 block.
+   * Returns the offset of a 4x4 block.
    *
-   * @param block its number in raster order, four in a row
+   * @param block the block's number in raster order, four in a row
    */
   static int offset(int block) {
     return (block >> 2) * 4 * STRIDE + (block & 3) * 4;
   }
 
-  /** The column-major number of a luma block. */
+  /** Converts the number of a luma block from raster order to column-major order. */
   static int transposed(int block) {
     return (block & 3) * 4 + (block >> 2);
   }
@@ -79,7 +80,7 @@ final class MacroblockSamples {
     }
   }
 
-  /** The SAD of luma. */
+  /** Returns the SAD of luma. */
   int lumaSad(MacroblockSamples other) {
     long sum = 0;
     for (int i = 0; i < CB; i += 8) {
@@ -88,7 +89,7 @@ final class MacroblockSamples {
     return Swar.horizontalSum(sum);
   }
 
-  /** The SAD of each {@code step}-th row of luma from {@code first} on. */
+  /** Returns the SAD of every {@code step}-th row of luma, starting with {@code first}. */
   int lumaSad(MacroblockSamples other, int first, int step) {
     long sum = 0;
     for (int i = first * STRIDE; i < CB; i += step * STRIDE) {
@@ -98,7 +99,7 @@ final class MacroblockSamples {
     return Swar.horizontalSum(sum);
   }
 
-  /** The SAD of Cb and Cr. */
+  /** Returns the SAD of Cb and Cr. */
   int chromaSad(MacroblockSamples other) {
     long sum = 0;
     for (int i = CB; i < bytes.length; i += 8) {
@@ -108,9 +109,9 @@ final class MacroblockSamples {
   }
 
   /**
-   * The SADs of all 24 blocks.
+   * Computes the SADs of all 24 blocks.
    *
-   * @param sums receives them
+   * @param sums receives the SADs
    */
   void blockSads(MacroblockSamples other, int[] sums) {
     for (int i = 0; i < rows.length; i++) {

@@ -3,25 +3,28 @@ package tellosimulator.video.codec;
 import org.jcodec.codecs.h264.H264Const;
 
 /**
- * Writes the syntax of a slice: its header, then its macroblocks one after another (slice_data and
- * macroblock_layer; H.264, 7.3.3 to 7.3.5).
+ * Writes the syntax of a slice: the header, and then the macroblocks one after another (slice_data
+ * and macroblock_layer; H.264, 7.3.3 to 7.3.5).
  */
 final class MacroblockWriter {
 
   /**
-   * slice_type of a slice that is P, as all others of its picture. Documented: H.264, table 7-6.
+   * The slice_type of a slice in a picture that has only P slices. Documented: H.264, table 7-6.
    */
   private static final int P_SLICE = 5;
 
   private static final int I_SLICE = 7;
 
-  /** mb_type of the first I macroblock in a P slice. Documented: H.264, table 7-13. */
+  /**
+   * The offset that is added to the mb_type of I macroblocks in P slices. Documented: H.264, table
+   * 7-13.
+   */
   private static final int I_MB_TYPE_OFFSET_IN_P = 5;
 
-  /** Decided: more than a macroblock can take. */
+  /** Space that is reserved for a macroblock [bytes]. Decided: more than a macroblock can take. */
   private static final int MAX_MACROBLOCK_BYTES = 4096;
 
-  /** codeNum of coded_block_pattern in Inter macroblocks: H.264, table 9-4. */
+  /** The codeNum of each coded_block_pattern in Inter macroblocks (H.264, table 9-4). */
   private static final int[] INTER_CBP_CODES =
       H264Const.CODED_BLOCK_PATTERN_INTER_COLOR_INV.clone();
 
@@ -43,7 +46,7 @@ final class MacroblockWriter {
   /**
    * Begins a slice and writes its header.
    *
-   * @param idrPicId of IDR slices only
+   * @param idrPicId used only for IDR slices
    */
   void beginSlice(boolean newIdr, int frameNum, int idrPicId, int sliceQp) {
     idr = newIdr;
@@ -64,7 +67,7 @@ final class MacroblockWriter {
     bits.putUe(1); // disable_deblocking_filter_idc
   }
 
-  /** Ends the slice; its RBSP. */
+  /** Ends the slice and returns its RBSP. */
   BitWriter finishSlice() {
     bits.reserve(MAX_MACROBLOCK_BYTES);
     if (mbSkipRun > 0) {
@@ -74,7 +77,7 @@ final class MacroblockWriter {
     return bits;
   }
 
-  /** The size of the slice up to now [bit]. */
+  /** The current size of the slice [bit]. */
   int bitCount() {
     return bits.bitCount();
   }
@@ -115,7 +118,7 @@ final class MacroblockWriter {
     chroma(macroblock);
   }
 
-  /** Writes mb_skip_run, if this is a P slice, and mb_type. */
+  /** Writes mb_skip_run (only in P slices) and mb_type. */
   private void mbType(int mbType) {
     bits.reserve(MAX_MACROBLOCK_BYTES);
     if (!idr) {
@@ -148,7 +151,7 @@ final class MacroblockWriter {
     }
   }
 
-  /** Writes the luma blocks, 8x8 block by 8x8 block. */
+  /** Writes the luma blocks, grouped by 8x8 block. */
   private void luma(Macroblock macroblock, int first) {
     Residual residual = macroblock.residual;
     for (int i = 0; i < 16; i++) {
@@ -191,7 +194,7 @@ final class MacroblockWriter {
     }
   }
 
-  /** total_coeff of each 4x4 block of one plane. */
+  /** The total_coeff of each 4x4 block in one plane. */
   private static final class TotalCoefficients {
 
     private final byte[] counts;
@@ -206,7 +209,10 @@ final class MacroblockWriter {
       counts[row * columns + column] = (byte) totalCoeff;
     }
 
-    /** nC (H.264, 9.2.1): the mean of nA (left) and nB (above), as far as they are available. */
+    /**
+     * Returns nC (H.264, 9.2.1), the mean of nA (left) and nB (above), as far as they are
+     * available.
+     */
     int nC(int column, int row) {
       int at = row * columns + column;
       if (column == 0) {

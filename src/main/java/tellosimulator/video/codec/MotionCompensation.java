@@ -1,24 +1,27 @@
 package tellosimulator.video.codec;
 
 /**
- * Inter prediction by fractional sample interpolation (H.264, 8.4.2.2): luma at quarter-sample
- * positions with the six-tap filter, chroma bilinearly at eighths. Works on four samples at once in
- * lanes of 16 bits ({@link Swar}).
+ * Inter prediction with fractional sample interpolation (H.264, 8.4.2.2). Luma is interpolated at
+ * quarter-sample positions with the six-tap filter, chroma bilinearly at eighths of a sample. Four
+ * samples are processed at once in lanes of 16 bits ({@link Swar}).
  *
- * <p>A sum of six taps is between -2550 and 10710. Lanes are unsigned, so sums carry a bias that is
- * subtracted before they are clipped to a byte.
+ * <p>A sum of six taps is between -2550 and 10710. Lanes are unsigned, so sums contain a bias,
+ * which is subtracted before they are clipped to a byte.
  */
 final class MotionCompensation {
 
   private static final int STRIDE = MacroblockSamples.STRIDE;
 
-  /** A multiple of 32 above 2550, so that no biased sum is negative. */
+  /** The bias of a sum: a multiple of 32 above 2550, so that no biased sum is negative. */
   private static final int BIAS = 2560;
 
-  /** Above 26520, the largest difference of two sums of two biased sums, and a multiple of 4. */
+  /**
+   * The bias of a difference between two values, each of which is the sum of two biased sums. It is
+   * a multiple of 4 above 26520, the largest such difference.
+   */
   private static final long DIFFERENCE_BIAS = Swar.broadcast16(26624);
 
-  /** What the biases leave after all divisions: ((26624 / 4 + 26624) / 4 + 2 * 2560) / 64. */
+  /** The bias that remains after all divisions: ((26624 / 4 + 26624) / 4 + 2 * 2560) / 64. */
   private static final long CENTER_BIAS = Swar.broadcast16(210);
 
   private static final long SAMPLE_BIAS = Swar.broadcast16(BIAS / 32);
@@ -28,16 +31,16 @@ final class MotionCompensation {
   private final byte[] second = new byte[MacroblockSamples.CB];
 
   /**
-   * Intermediate sums of the horizontal filter, of 16 rows and five more: two words of even and two
-   * of odd columns a row.
+   * Intermediate sums of the horizontal filter for 16 rows and five additional ones. Each row takes
+   * two words for even columns and two for odd columns.
    */
   private final long[] sums = new long[21 * 4];
 
   /**
    * Predicts 16x16 luma samples.
    *
-   * @param x of the upper left one, in quarter samples
-   * @param y of the upper left one, in quarter samples
+   * @param x x of the upper left sample [quarter samples]
+   * @param y y of the upper left sample [quarter samples]
    */
   void luma(Plane plane, int x, int y, MacroblockSamples to) {
     int at = plane.offset(x >> 2, y >> 2);
@@ -68,8 +71,8 @@ final class MotionCompensation {
   /**
    * Predicts 8x8 samples of Cb or Cr.
    *
-   * @param x of the upper left one, in eighths of a sample
-   * @param y of the upper left one, in eighths of a sample
+   * @param x x of the upper left sample [eighths of a sample]
+   * @param y y of the upper left sample [eighths of a sample]
    * @param at offset in {@code to}
    */
   void chroma(Plane plane, int x, int y, byte[] to, int at) {
@@ -102,7 +105,7 @@ final class MotionCompensation {
     }
   }
 
-  /** Linear interpolation in eighths, times 8. */
+  /** Interpolates linearly in eighths; the result is multiplied by 8. */
   private static long lerp8(long from, long to, int frac) {
     return (from << 3) + (to - from) * frac;
   }
@@ -111,7 +114,10 @@ final class MotionCompensation {
     return ((sums + Swar.broadcast16(32)) >>> 6) & Swar.LOW_BYTES;
   }
 
-  /** Positions with a fraction in both directions: e, f, g, i, j, k, p, q and r of the standard. */
+  /**
+   * Predicts a block at a position with a fraction in both directions: e, f, g, i, j, k, p, q or r
+   * of the standard.
+   */
   private void diagonal(Plane plane, int at, int x, int y, byte[] first) {
     int rightAt = (x & 3) == 3 ? at + 1 : at;
     int belowAt = (y & 3) == 3 ? at + plane.stride : at;
@@ -140,14 +146,14 @@ final class MotionCompensation {
     }
   }
 
-  /** Averages two predictions, as quarter-sample positions need it. */
+  /** Averages two predictions, as required for quarter-sample positions. */
   private void average(byte[] first) {
     for (int i = 0; i < MacroblockSamples.CB; i += 8) {
       Swar.store(first, i, Swar.average(Swar.load(first, i), Swar.load(second, i)));
     }
   }
 
-  /** Position b: half a sample to the right. */
+  /** Predicts a block at position b: half a sample to the right. */
   private static void halfPelHorizontal(Plane plane, int at, byte[] to) {
     byte[] samples = plane.bytes;
     int row = at;
@@ -167,7 +173,7 @@ final class MotionCompensation {
     }
   }
 
-  /** Position h: half a sample down. */
+  /** Predicts a block at position h: half a sample down. */
   private static void halfPelVertical(Plane plane, int at, byte[] to) {
     byte[] samples = plane.bytes;
     int stride = plane.stride;
@@ -194,8 +200,8 @@ final class MotionCompensation {
   }
 
   /**
-   * Position j: half a sample to the right and down. Leaves the horizontal sums for {@link
-   * #halfPelFromSums}.
+   * Predicts a block at position j: half a sample to the right and down. The horizontal sums are
+   * kept for {@link #halfPelFromSums}.
    */
   private void halfPelCenter(Plane plane, int at, byte[] to) {
     filterRows(plane, at - 2 * plane.stride);
@@ -210,7 +216,7 @@ final class MotionCompensation {
     }
   }
 
-  /** Position b or s, from the sums of {@link #halfPelCenter}. */
+  /** Predicts a block at position b or s from the sums that {@link #halfPelCenter} has stored. */
   private void halfPelFromSums(int firstRow, byte[] to) {
     for (int i = 0; i < 16; i++) {
       int row = 4 * (i + firstRow);
@@ -246,10 +252,10 @@ final class MotionCompensation {
   }
 
   /**
-   * The vertical filter over horizontal sums, divided by 1024, with a bias. As (outer - 5 middle +
-   * 20 inner) / 16 = ((outer - middle) / 4 + (inner - middle)) / 4 + inner holds with each division
-   * rounded down, lanes of 16 bits suffice; the second division halves first, since its sum alone
-   * could overflow.
+   * Applies the vertical filter to horizontal sums, and divides by 1024; the result contains a
+   * bias. Lanes of 16 bits suffice, because (outer - 5 middle + 20 inner) / 16 = ((outer - middle)
+   * / 4 + (inner - middle)) / 4 + inner holds even if each division is rounded down. The second
+   * division halves its operands first, because their sum alone could overflow.
    */
   private long halfPelCenter(int index) {
     long outer = sums[index] + sums[index + 20];
@@ -270,13 +276,13 @@ final class MotionCompensation {
     return (word >>> 8) & Swar.LOW_BYTES;
   }
 
-  /** The taps 1, -5, 20, 20, -5, 1, of pairs summed before. */
+  /** Applies the taps 1, -5, 20, 20, -5, 1 to the sums of sample pairs. */
   private static long sixTap(long outer, long middle, long inner) {
     long four = (inner << 2) - middle;
     return outer + (four << 2) + four;
   }
 
-  /** (sum + 16) >> 5 of unbiased sums; the result is biased. */
+  /** Computes (sum + 16) >> 5 for unbiased sums. The result is biased. */
   private static long round5Biased(long sums) {
     return round5(sums + Swar.broadcast16(BIAS));
   }
@@ -285,7 +291,7 @@ final class MotionCompensation {
     return ((biased + Swar.broadcast16(16)) >>> 5) & Swar.broadcast16(0x07FF);
   }
 
-  /** Removes the bias, clips, and interleaves even and odd columns. */
+  /** Removes the bias, clips the values, and interleaves even and odd columns. */
   private static long pack(long even, long odd, long bias) {
     long evenBytes = even - bias;
     long oddBytes = odd - bias;
@@ -296,8 +302,8 @@ final class MotionCompensation {
   }
 
   /**
-   * Clip1 of the standard: removes the bias and clips to 0 to 255; without the bias lanes are below
-   * 512.
+   * Computes Clip1 of the standard: removes the bias and clips to the range from 0 to 255. Lanes
+   * must be below 512 after the bias is removed.
    */
   private static long clip1(long biased, long bias) {
     long signed = (biased | SIGN_BITS) - bias;

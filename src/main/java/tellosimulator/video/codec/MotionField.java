@@ -1,9 +1,9 @@
 package tellosimulator.video.codec;
 
 /**
- * The motion vectors of the current and of the previous frame, one for each macroblock, in quarter
- * samples, and motion vector prediction from the neighbours A (left), B (above) and C (above
- * right).
+ * The motion vectors of the current and the previous frame, one for each macroblock [quarter
+ * samples]. This class also predicts motion vectors from the neighbours A (left), B (above) and C
+ * (above right).
  */
 final class MotionField {
 
@@ -13,17 +13,19 @@ final class MotionField {
   private int[] previousMvX;
   private int[] previousMvY;
 
-  /** Whether each macroblock is inter coded, that is, has a motion vector. */
+  /** Whether each macroblock is inter coded. Only such macroblocks have a motion vector. */
   private final boolean[] inter;
 
-  /** The motion vector prediction; after {@link #predictMv}. */
+  /** The horizontal component of the predicted motion vector; valid after {@link #predictMv}. */
   int mvpX;
 
+  /** The vertical component of the predicted motion vector; valid after {@link #predictMv}. */
   int mvpY;
 
-  /** The motion vector of a P_Skip macroblock; after {@link #predictMv}. */
+  /** The horizontal component of the P_Skip motion vector; valid after {@link #predictMv}. */
   int pSkipMvX;
 
+  /** The vertical component of the P_Skip motion vector; valid after {@link #predictMv}. */
   int pSkipMvY;
 
   MotionField(int widthInMbs, int heightInMbs) {
@@ -36,7 +38,7 @@ final class MotionField {
     previousMvY = new int[macroblocks];
   }
 
-  /** Begins a frame; the current frame's vectors become the previous frame's. */
+  /** Begins a frame. The vectors of the current frame become the vectors of the previous frame. */
   void beginFrame() {
     int[] swap = mvX;
     mvX = previousMvX;
@@ -53,7 +55,7 @@ final class MotionField {
     inter[mbIndex] = true;
   }
 
-  /** Marks an intra macroblock; its vector counts as zero. */
+  /** Marks a macroblock as intra coded; its vector counts as zero. */
   void setIntra(int mbIndex) {
     mvX[mbIndex] = 0;
     mvY[mbIndex] = 0;
@@ -76,7 +78,7 @@ final class MotionField {
     return previousMvY[mbIndex];
   }
 
-  /** Computes mvp and the P_Skip vector of a macroblock (H.264, 8.4.1.1 and 8.4.1.3). */
+  /** Computes mvp and the P_Skip vector for a macroblock (H.264, 8.4.1.1 and 8.4.1.3). */
   void predictMv(int mbX, int mbY) {
     int mbIndex = mbY * widthInMbs + mbX;
     int a = mbX > 0 ? mbIndex - 1 : -1;
@@ -87,7 +89,10 @@ final class MotionField {
     pSkipMvY = zero ? 0 : mvpY;
   }
 
-  /** Neighbour C (above right); D (above left) takes its place where C is not available. */
+  /**
+   * Returns the index of the neighbour C (above right), or of D (above left) if C is not available;
+   * -1 if neither is available.
+   */
   private int neighborC(int mbX, int mbY) {
     if (mbY == 0) {
       return -1;
@@ -119,7 +124,7 @@ final class MotionField {
     return inter[mbIndex] && mvX[mbIndex] == 0 && mvY[mbIndex] == 0;
   }
 
-  /** A component of a neighbour's vector; zero where it is not available. */
+  /** Returns a component of a neighbour's vector; zero if the neighbour is not available. */
   private static int component(int[] components, int mbIndex) {
     return mbIndex < 0 ? 0 : components[mbIndex];
   }

@@ -1,25 +1,28 @@
 package tellosimulator.video.codec;
 
 /**
- * Motion estimation for 16x16 luma blocks by SAD: predictors from neighbours in space and time,
- * then a small diamond at full samples, then one step to a quarter-sample position by parabolic
- * interpolation of the SADs.
+ * Estimates the motion of 16x16 luma blocks by SAD. The search starts from predictors, which are
+ * taken from neighbours in space and time. It continues with a small diamond at full samples.
+ * Finally, parabolic interpolation of the SADs gives a quarter-sample position.
  */
 final class MotionSearch {
 
   /**
-   * Decided: how far a prediction may lie outside the frame [samples]; the six-tap filter needs the
-   * rest of the border.
+   * Distance by which a prediction may extend beyond the frame [samples]. Decided: the rest of the
+   * border is needed for the six-tap filter.
    */
   private static final int MAX_OVERHANG = Frame.BORDER - 8;
 
-  /** In samples. Documented: H.264, table A-1: vertically 512 at level 4.0. */
+  /**
+   * Maximum length of a motion vector in each direction [samples]. Documented: H.264, table A-1,
+   * allows 512 vertically at level 4.0.
+   */
   private static final int MAX_VECTOR = 500;
 
-  /** Decided: steps of the diamond search. */
+  /** Maximum number of steps in the diamond search. Decided. */
   private static final int MAX_DESCENT_STEPS = 16;
 
-  /** The SAD of vectors that are not allowed: above any real one. */
+  /** The SAD assigned to vectors that are not allowed; it is above any real SAD. */
   private static final int OUT_OF_RANGE_SAD = 1 << 16;
 
   private final MotionField motion;
@@ -33,13 +36,19 @@ final class MotionSearch {
   private int minY;
   private int maxY;
 
-  /** The best full-sample vector up to now, and its cost. */
+  /** The horizontal component of the best full-sample vector so far. */
   private int fullPelX;
 
+  /** The vertical component of the best full-sample vector so far. */
   private int fullPelY;
+
+  /** The cost of the best full-sample vector so far. */
   private int fullPelCost;
 
-  /** SADs at that vector and one sample beside it. */
+  /**
+   * The SAD at {@link #fullPelX}, {@link #fullPelY}. The fields below are the SADs at the four
+   * positions one sample away.
+   */
   private int centerSad;
 
   private int leftSad;
@@ -47,20 +56,21 @@ final class MotionSearch {
   private int aboveSad;
   private int belowSad;
 
-  /** The predictors tried before the diamond search, rounded to full samples. */
+  /** The predictors that were tried before the diamond search, rounded to full samples. */
   private final int[] candidates = new int[8];
 
   private int candidateCount;
 
-  /** The motion vector found [quarter samples]. */
+  /** The horizontal component of the motion vector that was found [quarter samples]. */
   int mvX;
 
+  /** The vertical component of the motion vector that was found [quarter samples]. */
   int mvY;
 
-  /** Its SAD of luma. */
+  /** The SAD of luma at the motion vector. */
   int sad;
 
-  /** Its Lagrangian cost: SAD + lambda * bits of mvd. */
+  /** The Lagrangian cost of the motion vector: SAD + lambda * bits of mvd. */
   int cost;
 
   MotionSearch(MotionField motion) {
@@ -79,9 +89,9 @@ final class MotionSearch {
   }
 
   /**
-   * Tries the P_Skip vector, if it is in range.
+   * Tries the P_Skip vector if it is in range.
    *
-   * @return whether it is
+   * @return whether it is in range
    */
   boolean tryPSkip() {
     if (!inRange(motion.pSkipMvX, motion.pSkipMvY)) {
@@ -92,7 +102,7 @@ final class MotionSearch {
     return true;
   }
 
-  /** Searches for a vector of lower cost. */
+  /** Searches for a vector with a lower cost than the best one so far. */
   void search() {
     candidateCount = 0;
     fullPelCost = Integer.MAX_VALUE;
@@ -115,12 +125,15 @@ final class MotionSearch {
     refineSubpel();
   }
 
-  /** The prediction at the vector found, not a copy; luma only before {@link #predictChroma}. */
+  /**
+   * The prediction at the motion vector. The object is reused, and contains only luma until {@link
+   * #predictChroma} is called.
+   */
   MacroblockSamples prediction() {
     return best;
   }
 
-  /** Predicts Cb and Cr at the vector found. */
+  /** Predicts Cb and Cr at the motion vector. */
   void predictChroma() {
     int fromX = 64 * macroblock.mbX + mvX;
     int fromY = 64 * macroblock.mbY + mvY;
@@ -143,7 +156,8 @@ final class MotionSearch {
   }
 
   /**
-   * Compares the full-sample vector with the quarter-sample one at the minimum of two parabolas.
+   * Compares the full-sample vector with the quarter-sample vector at the minima of two parabolas,
+   * one for each direction.
    */
   private void refineSubpel() {
     int subpelX = 4 * fullPelX + parabolaMinimum(leftSad, centerSad, rightSad);
@@ -155,8 +169,8 @@ final class MotionSearch {
   }
 
   /**
-   * The minimum of the parabola through three neighbouring SADs, in quarter samples from the
-   * middle.
+   * Returns the minimum of the parabola through three neighbouring SADs, as a distance from the
+   * middle one [quarter samples].
    */
   private static int parabolaMinimum(int before, int middle, int after) {
     int curvature = before + after - 2 * middle;
@@ -187,7 +201,7 @@ final class MotionSearch {
     }
   }
 
-  /** Tries a predictor, rounded to full samples, unless it was tried before. */
+  /** Tries a predictor, rounded to full samples, unless it has already been tried. */
   private void tryCandidate(int quarterPelX, int quarterPelY) {
     int toX = Math.max(minX, Math.min(maxX, (quarterPelX + 2) >> 2));
     int toY = Math.max(minY, Math.min(maxY, (quarterPelY + 2) >> 2));
@@ -201,7 +215,7 @@ final class MotionSearch {
     tryFullPel(toX, toY);
   }
 
-  /** Tries a full-sample vector; its SAD. */
+  /** Tries a full-sample vector and returns its SAD. */
   private int tryFullPel(int toX, int toY) {
     if (toX < minX || toX > maxX || toY < minY || toY > maxY) {
       return OUT_OF_RANGE_SAD;
@@ -217,13 +231,13 @@ final class MotionSearch {
     return newSad;
   }
 
-  /** lambda times the bits of mvd. */
+  /** Returns the cost of the bits of mvd: lambda times their number. */
   private int mvdCost(int vectorX, int vectorY) {
     return macroblock.tables.lambda()
         * (BitWriter.seLength(vectorX - motion.mvpX) + BitWriter.seLength(vectorY - motion.mvpY));
   }
 
-  /** The SAD of each second row, doubled. */
+  /** Returns twice the SAD of every second row, as an estimate for all rows. */
   private int subsampledSad(int toX, int toY) {
     Plane plane = reference.luma;
     byte[] samples = plane.bytes;

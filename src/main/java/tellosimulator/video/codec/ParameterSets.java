@@ -6,32 +6,38 @@ import org.jcodec.codecs.h264.io.model.SeqParameterSet;
 import org.jcodec.common.model.ColorSpace;
 
 /**
- * SPS and PPS, written by JCodec: Constrained Baseline, level 4.0, one reference frame, output
- * order equal to decoding order, no VUI; the real drone's say the same except for the profile.
+ * SPS and PPS, written by JCodec. They specify Constrained Baseline, level 4.0, one reference
+ * frame, the same order for output and decoding, and no VUI. The parameter sets of the real drone
+ * differ only in the profile.
  */
 final class ParameterSets {
 
-  /** profile_idc. Documented: H.264, A.2.1. */
+  /** The profile_idc. Documented: H.264, A.2.1. */
   private static final int BASELINE_PROFILE = 66;
 
-  /** level_idc. Documented: H.264, A.3; as the real drone says. */
+  /** The level_idc. Documented: H.264, A.3. The real drone uses the same value. */
   private static final int LEVEL_4_0 = 40;
 
-  /** Bits of frame_num; as the real drone has it. */
+  /** Number of bits of frame_num. The real drone uses the same value. */
   static final int FRAME_NUM_BITS = 8;
 
-  /** The QP to which slice_qp_delta is relative; as the real drone says. */
+  /** The QP to which slice_qp_delta is relative. The real drone uses the same value. */
   static final int PIC_INIT_QP = 26;
 
-  /** Documented: H.264, 7.3.2; of the longer one. */
+  /**
+   * Size of the buffer for one parameter set [bytes]. Decided: more than the longer set takes
+   * (H.264, 7.3.2).
+   */
   private static final int CAPACITY = 64;
 
   final byte[] sps;
   final byte[] pps;
 
   /**
-   * @param width of the frames in pixels, even
-   * @param height of the frames in pixels, even
+   * Creates the parameter sets.
+   *
+   * @param width width of the frames [pixels], even
+   * @param height height of the frames [pixels], even
    */
   ParameterSets(int width, int height) {
     ByteBuffer buffer = ByteBuffer.allocate(CAPACITY);

@@ -3,12 +3,12 @@ package tellosimulator.video.codec;
 import java.util.Arrays;
 
 /**
- * A sample plane of a {@link Frame}: unsigned bytes, row by row, with a border on all four sides
- * into which motion vectors may point.
+ * A sample plane of a {@link Frame}. It consists of unsigned bytes, row by row, with a border on
+ * all four sides into which motion vectors may point.
  */
 final class Plane {
 
-  /** Loads of eight bytes may reach that far beyond the last sample. */
+  /** Padding at the end [bytes]. Loading eight bytes at once may read beyond the last sample. */
   private static final int SLACK = 16;
 
   final byte[] bytes;
@@ -18,8 +18,10 @@ final class Plane {
   private final int border;
 
   /**
+   * Creates a plane.
+   *
    * @param width a multiple of 8
-   * @param border samples beyond each edge
+   * @param border number of samples beyond each edge
    */
   Plane(int width, int height, int border) {
     this.width = width;
@@ -29,12 +31,15 @@ final class Plane {
     bytes = new byte[stride * (height + 2 * border) + SLACK];
   }
 
-  /** The offset of a sample in {@link #bytes}. */
+  /** Returns the offset of a sample in {@link #bytes}. */
   int offset(int x, int y) {
     return (y + border) * stride + border + x;
   }
 
-  /** Loads a smaller picture and pads it to this plane's size with its last column and row. */
+  /**
+   * Loads a picture that may be smaller than this plane, and pads it by repeating its last column
+   * and row.
+   */
   void load(byte[] samples, int sampleWidth) {
     int rows = samples.length / sampleWidth;
     for (int y = 0; y < height; y++) {
@@ -48,7 +53,7 @@ final class Plane {
   }
 
   /**
-   * Fills the border with the nearest samples, as unrestricted motion vectors need it (H.264,
+   * Fills the border with the nearest samples, as required for unrestricted motion vectors (H.264,
    * 8.4.2.2.1).
    */
   void expandBorders() {

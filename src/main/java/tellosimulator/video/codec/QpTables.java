@@ -1,17 +1,17 @@
 package tellosimulator.video.codec;
 
 /**
- * All that depends on the QP of a macroblock: quantisers, lambda, and thresholds below which blocks
- * quantise to zero.
+ * Everything that depends on the QP of a macroblock: the quantisers, lambda, and the thresholds
+ * below which blocks are quantised to zero.
  *
  * @param qp QP of luma, 0 to 51
- * @param luma for Inter macroblocks
- * @param chroma for Inter macroblocks, at QPc
- * @param intraLuma for Intra macroblocks
- * @param intraChroma for Intra macroblocks, at QPc
- * @param lambda the Lagrange multiplier of mode decision: what a bit costs in SAD
- * @param lumaZeroSad a 4x4 luma block with a smaller SAD quantises to zero
- * @param chromaZeroSad the same for chroma
+ * @param luma quantiser for luma in Inter macroblocks
+ * @param chroma quantiser for chroma in Inter macroblocks, at QPc
+ * @param intraLuma quantiser for luma in Intra macroblocks
+ * @param intraChroma quantiser for chroma in Intra macroblocks, at QPc
+ * @param lambda the Lagrange multiplier of mode decision: the cost of one bit in SAD
+ * @param lumaZeroSad a 4x4 luma block with a smaller SAD is quantised to zero
+ * @param chromaZeroSad a 4x4 chroma block with a smaller SAD is quantised to zero
  */
 record QpTables(
     int qp,
@@ -23,26 +23,30 @@ record QpTables(
     int lumaZeroSad,
     int chromaZeroSad) {
 
-  /** Documented: H.264, 7.4.5. */
+  /** The highest QP. Documented: H.264, 7.4.5. */
   static final int MAX_QP = 51;
 
   /**
-   * Rounding offsets of the quantiser, in sixths of a step: as in x264 and JM, a wider dead zone
-   * for Inter blocks.
+   * Rounding offset of the quantiser for Inter blocks, in sixths of a step. As in x264 and JM, the
+   * dead zone is wider than for Intra blocks.
    */
   private static final int INTER_ROUNDING_SIXTHS = 1;
 
+  /** Rounding offset of the quantiser for Intra blocks, in sixths of a step. */
   private static final int INTRA_ROUNDING_SIXTHS = 2;
 
   /**
-   * In quantiser steps. Calculated: a nonzero level needs 5/6 of a step, and no coefficient is
-   * above 0.4 of the SAD, so below 2.1 there is none; from there to this there hardly ever is.
+   * SAD below which a luma block is quantised to zero, in quantiser steps. Calculated: a nonzero
+   * level needs a coefficient of at least 5/6 of a step, and no coefficient exceeds 0.4 times the
+   * SAD. Therefore, all levels are zero below 2.1 steps, and nearly always between 2.1 steps and
+   * this value.
    */
   private static final double LUMA_ZERO_STEPS = 2.7;
 
   /**
-   * In quantiser steps; lower, as the Hadamard transform of four DC coefficients makes chroma
-   * finer.
+   * SAD below which a chroma block is quantised to zero, in quantiser steps. This threshold is
+   * lower than the threshold for luma, because the Hadamard transform of the four DC coefficients
+   * makes the quantisation of chroma finer.
    */
   private static final double CHROMA_ZERO_STEPS = 1.5;
 

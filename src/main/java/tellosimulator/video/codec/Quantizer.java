@@ -3,18 +3,23 @@ package tellosimulator.video.codec;
 import org.jcodec.codecs.h264.H264Const;
 
 /**
- * Quantises transform coefficients and rescales levels at one QP (0 to 51; six more double the
- * step). Immutable tables; the coefficients of a block are stored column by column.
+ * Quantises transform coefficients and rescales levels at one QP. The QP is from 0 to 51, and an
+ * increase by six doubles the step. The tables are immutable. The coefficients of a block are
+ * stored column by column.
  */
 final class Quantizer {
 
-  /** normAdjust4x4. Documented: H.264, 8.5.9: even positions, odd positions, and the others. */
+  /**
+   * The normAdjust4x4 values for even positions, for odd positions, and for all others. Documented:
+   * H.264, 8.5.9.
+   */
   private static final int[][] LEVEL_SCALE = {
     {10, 16, 13}, {11, 18, 14}, {13, 20, 16}, {14, 23, 18}, {16, 25, 20}, {18, 29, 23}
   };
 
   /**
-   * Multiplication factors: their inverses times 2^15 and the transform's norm, as in JM and x264.
+   * Multiplication factors of the quantiser. They are the inverses of {@link #LEVEL_SCALE}, times
+   * 2^15 and the norm of the transform, as in JM and x264.
    */
   private static final int[][] QUANT_MF = {
     {13107, 5243, 8066},
@@ -25,39 +30,45 @@ final class Quantizer {
     {7282, 2893, 4559}
   };
 
-  /** The zigzag scan (H.264, 8.5.6) over coefficients stored column by column. */
+  /** The zigzag scan (H.264, 8.5.6) for coefficients stored column by column. */
   private static final int[] ZIGZAG = {0, 4, 1, 2, 5, 8, 12, 9, 6, 3, 7, 10, 13, 14, 11, 15};
 
-  /** The mask bit of each coefficient: its position in the zigzag scan. */
+  /** The mask bit of each coefficient, given by its position in the zigzag scan. */
   private static final int[] ZIGZAG_BIT = zigzagBits();
 
   private static final int[] CHROMA_QP = H264Const.QP_SCALE_CR.clone();
 
-  /** Half the range of a lane of 16 bits. */
+  /** Half the range of a 16-bit lane. */
   private static final int LANE_BIAS = 0x8000;
 
   private static final long LANE_BIASES = Swar.broadcast16(LANE_BIAS);
 
   /**
-   * By coefficient, repeated for each block, so that HotSpot vectorises loops over several blocks.
+   * The factor of each coefficient. The factors are repeated for each block, so that HotSpot
+   * vectorises loops over several blocks.
    */
   private final int[] quantMf = new int[16 * MacroblockSamples.BLOCKS];
 
   private final int[] levelScale = new int[16 * MacroblockSamples.BLOCKS];
 
-  /** By column: the largest coefficients that quantise to zero, plus {@link #LANE_BIAS}. */
+  /**
+   * The largest coefficients that are quantised to zero, plus {@link #LANE_BIAS}. Each word holds
+   * the four values of one column.
+   */
   private final long[] zeroThresholds = new long[4];
 
   private final int qBits;
   private final int rounding;
 
   /**
-   * Qstep, on the scale of sample differences: a DC coefficient of 4 for a difference of 1 in a
-   * whole block.
+   * Qstep, on the scale of sample differences; on this scale, a difference of 1 throughout a block
+   * gives a DC coefficient of 4.
    */
   final double stepSize;
 
   /**
+   * Creates the tables for a QP.
+   *
    * @param qp from 0 to 51
    * @param roundingSixths rounding offset in sixths of a step
    */
@@ -77,12 +88,12 @@ final class Quantizer {
     }
   }
 
-  /** The index of the coefficient at a position of the zigzag scan. */
+  /** Returns the index of the coefficient at a position of the zigzag scan. */
   static int zigzag(int index) {
     return ZIGZAG[index];
   }
 
-  /** QPc (H.264, table 8-15, with chroma_qp_index_offset 0). */
+  /** Returns QPc (H.264, table 8-15, with chroma_qp_index_offset 0). */
   static int chromaQp(int qp) {
     return CHROMA_QP[qp];
   }
@@ -91,7 +102,7 @@ final class Quantizer {
    * Quantises a block and rescales its levels.
    *
    * @param words all blocks after {@link Transform#forward}
-   * @param coefficients receives the rescaled levels, 16 a block, if any is nonzero
+   * @param coefficients receives the rescaled levels, 16 for each block, if any level is nonzero
    */
   void quantizeBlock(long[] words, int block, Residual residual, int[] coefficients) {
     if (allZero(words, Transform.WORDS_PER_BLOCK * block)) {
@@ -102,9 +113,9 @@ final class Quantizer {
   }
 
   /**
-   * The same for several blocks, without testing whether any level is nonzero.
+   * Quantises and rescales several blocks without testing whether any level is nonzero.
    *
-   * @param to one beyond the last
+   * @param to the number of the last block plus 1
    */
   void quantizeBlocks(long[] words, int from, int to, Residual residual, int[] coefficients) {
     unpack(words, Transform.WORDS_PER_BLOCK * from, Transform.WORDS_PER_BLOCK * to, coefficients);
@@ -161,7 +172,7 @@ final class Quantizer {
     return zigzagBits;
   }
 
-  /** Whether all coefficients of a block quantise to zero. */
+  /** Returns whether all coefficients of a block are quantised to zero. */
   private boolean allZero(long[] words, int word) {
     long zero = -1;
     for (int x = 0; x < 4; x++) {
@@ -171,10 +182,10 @@ final class Quantizer {
   }
 
   /**
-   * Quantises a DC block after its Hadamard transform, in place.
+   * Quantises a DC block in place, after its Hadamard transform.
    *
    * @param dc the coefficients, in scan order
-   * @return how many levels are nonzero
+   * @return the number of nonzero levels
    */
   int quantizeDc(int[] dc, int offset, int length) {
     int count = 0;

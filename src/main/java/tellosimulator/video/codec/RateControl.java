@@ -1,101 +1,133 @@
 package tellosimulator.video.codec;
 
 /**
- * Chooses the QP of each frame, so that the stream keeps to its bit rate at even quality.
+ * Chooses the QP of each frame, so that the stream keeps its bit rate at an even quality.
  *
- * <p>It works with the complexity of a frame: its bits at QP 0, which change slowly from frame to
- * frame; six more QP halve the bits. The complexities of the last IDR frame and of the last P
- * frames give the one QP at which a whole GOP fits the rate; the debt of earlier frames is soon
- * repaid. A frame that takes far more than expected, as after a cut, gets a higher QP from
- * macroblock row to row.
+ * <p>The choice is based on the complexity of a frame, which is the number of bits that it would
+ * take at QP 0. The complexity changes slowly from frame to frame, and raising the QP by six halves
+ * the number of bits. The complexities of the last IDR frame and of the last P frames determine the
+ * QP at which a whole GOP fits the bit rate. The bits by which earlier frames exceeded the rate
+ * (the debt) are soon repaid by smaller frames. If a frame takes far more bits than expected, as
+ * after a cut, its QP rises from one macroblock row to the next.
  */
 final class RateControl {
 
   /**
-   * Decided: nobody sees more. Measured: P frames of a still scene take up to 2 kB for ever, at 18
-   * nothing, but are 2 dB better. Below 10 a level could exceed its longest CAVLC code.
+   * Lowest QP. Decided: better quality is not visible. Measured: at this QP, the P frames of a
+   * still scene take up to 2 kB each, indefinitely; at QP 18 they take nothing, but the quality is
+   * 2 dB lower. Below QP 10, a level could exceed its longest CAVLC code.
    */
   private static final int MIN_QP = 15;
 
-  /** Decided: IDR frames are finer, since the P frames after them are predicted from them. */
+  /**
+   * Difference between the QP of P frames and the QP of IDR frames. Decided: IDR frames are finer,
+   * because subsequent P frames are predicted from them.
+   */
   private static final int IDR_QP_OFFSET = 3;
 
-  /** Decided: P frames may be finer still where hardly anything changes. */
+  /**
+   * Maximum amount by which the QP of P frames may be below the QP of the IDR frame. Decided: P
+   * frames may be even finer than the IDR frame if hardly anything changes.
+   */
   private static final int MAX_P_QP_GAIN = 14;
 
-  /** Decided: so much may QP rise from frame to frame in one scene. */
+  /** Maximum increase in QP from frame to frame within a scene. Decided. */
   private static final int MAX_QP_RISE = 2;
 
   /**
-   * Decided: so much does it fall where it could fall by more. Measured: finest in a still scene.
+   * Decrease in QP from one frame to the next if the target is lower by more than this value.
+   * Decided. Measured: this value gives the finest pictures in a still scene.
    */
   private static final int MAX_QP_FALL = 4;
 
-  /** Decided: smaller changes of QP are not followed. */
+  /** A change in the target QP is ignored if it is not greater than this value. Decided. */
   private static final double QP_HYSTERESIS = 0.8;
 
-  /** Decided: QP does not swing from row to row, but a frame of only noise gets coarse in time. */
+  /**
+   * Increase in QP from row to row while the frame is too large. Decided: the QP does not jump
+   * between rows, but a frame of pure noise becomes coarse soon enough.
+   */
   private static final int ROW_QP_STEP = 1;
 
-  /** Bits of an IDR frame, in average frames. Decided: a third of the second that it begins. */
+  /**
+   * Maximum number of bits of an IDR frame, as a multiple of the average frame. Decided: at 30
+   * frames a second, a third of the bits of one second.
+   */
   private static final double IDR_FRAME_LIMIT = 10;
 
-  /** Of a GOP's bits. Decided: half is left for the P frames. */
+  /**
+   * Maximum share of a GOP's bits that its IDR frame takes. Decided: half is left for the P frames.
+   */
   private static final double MAX_IDR_SHARE = 0.5;
 
   /**
-   * Bits of a P frame, in average frames. Decided: as much as the network has to carry after a cut.
+   * Maximum number of bits of a P frame, as a multiple of the average frame. Decided: the most that
+   * the network should have to carry after a cut.
    */
   private static final double P_FRAME_LIMIT = 4;
 
-  /** Weight of a new complexity in the running mean, if it is higher. Decided: soon. */
+  /**
+   * Weight of a new complexity in the running mean if it is higher than the mean. Decided: the mean
+   * rises quickly.
+   */
   private static final double RISE_WEIGHT = 0.4;
 
-  /** Weight of a new complexity in the running mean, if it is lower. Decided: less soon. */
+  /**
+   * Weight of a new complexity in the running mean if it is lower than the mean. Decided: the mean
+   * falls more slowly than it rises.
+   */
   private static final double FALL_WEIGHT = 0.2;
 
-  /** The same, if it is below {@link #STILL_SHARE} of the mean. Decided: at once. */
+  /**
+   * Weight of a new complexity that is below {@link #STILL_SHARE} of the mean. Decided: the mean
+   * falls fastest when the scene becomes still.
+   */
   private static final double STILL_WEIGHT = 0.5;
 
   /**
-   * Frames of a still scene have less than this share of the complexity before. Measured: by a
-   * stop.
+   * Share of the mean complexity below which a frame counts as part of a still scene. Measured: the
+   * complexity falls below this share when the drone stops.
    */
   private static final double STILL_SHARE = 0.1;
 
   /**
-   * Decided: a frame counts at most that many times the mean; a cut says nothing of the next frame.
+   * Maximum complexity with which a frame enters the running mean, as a multiple of the mean.
+   * Decided: the complexity at a cut does not predict the complexity of the next frame.
    */
   private static final double MAX_COMPLEXITY_RISE = 2;
 
-  /** Decided: debt is repaid, or savings are spent, within this time [s]. */
+  /** Time within which a debt is repaid or savings are spent [s]. Decided. */
   private static final double REPAY_SECONDS = 0.5;
 
-  /** Decided: so many seconds of unused bits are saved. */
+  /** Maximum number of saved bits, expressed as the time it takes to send them [s]. Decided. */
   private static final double MAX_SAVED_SECONDS = 0.25;
 
-  /** Decided: so many seconds of bits are repaid. */
+  /** Maximum debt, expressed as the time it takes to send its bits [s]. Decided. */
   private static final double MAX_OWED_SECONDS = 1;
 
-  /** Complexity of an IDR macroblock, about. Measured: in the default room. */
+  /** Initial estimate of the complexity of an IDR macroblock. Measured: in the default room. */
   private static final double INITIAL_IDR_COMPLEXITY = 6000;
 
-  /** Complexity of P frames, as a share of that of IDR frames, about. Measured: in slow flight. */
+  /**
+   * Initial estimate of the complexity of P frames, relative to the complexity of IDR frames.
+   * Measured: in slow flight.
+   */
   private static final double INITIAL_P_SHARE = 0.15;
 
   private final int heightInMbs;
   private double bitsPerFrame;
   private double frameRate;
 
-  /** Bits at QP 0. */
+  /** The complexity of an IDR frame [bits at QP 0]. */
   private double idrComplexity;
 
+  /** The complexity of a P frame [bits at QP 0]. */
   private double pComplexity;
 
-  /** Bits sent beyond the rate; negative if fewer were sent. */
+  /** Number of bits sent in excess of the rate; negative if fewer were sent. */
   private double debt;
 
-  /** Bits of the last IDR frame beyond an average frame. */
+  /** Number of bits by which the last IDR frame exceeded an average frame. */
   private double idrExcess;
 
   private int gopLength;
@@ -109,8 +141,10 @@ final class RateControl {
   private double frameLimit;
 
   /**
-   * @param macroblocks of a frame
-   * @param heightInMbs rows of macroblocks
+   * Creates a rate control with a default rate.
+   *
+   * @param macroblocks number of macroblocks in a frame
+   * @param heightInMbs number of macroblock rows
    */
   RateControl(int macroblocks, int heightInMbs) {
     this.heightInMbs = heightInMbs;
@@ -120,8 +154,8 @@ final class RateControl {
   }
 
   /**
-   * Sets the rate from the next frame on. What was sent before no longer counts, and the next frame
-   * may be as large as ever.
+   * Sets the bit rate from the next frame on. Earlier frames no longer count, and the QP may change
+   * by any amount at once.
    */
   void setRate(int framesPerSecond, int bitsPerSecond) {
     frameRate = framesPerSecond;
@@ -133,7 +167,7 @@ final class RateControl {
     unconstrained = true;
   }
 
-  /** Begins a frame; the QP of its first row. */
+  /** Begins a frame and returns the QP of its first row. */
   int beginFrame(boolean newIdr) {
     idr = newIdr;
     if (idr) {
@@ -141,7 +175,8 @@ final class RateControl {
       framesInGop = 0;
       idrExcess = 0;
     }
-    double budget = Math.max(bitsPerFrame / 3, bitsPerFrame - owed() / (REPAY_SECONDS * frameRate));
+    double budget =
+        Math.max(bitsPerFrame / 3, bitsPerFrame - hasPending() / (REPAY_SECONDS * frameRate));
     if (idr) {
       idrQp = clip(idealIdrQp(budget));
       qp = idrQp;
@@ -161,19 +196,23 @@ final class RateControl {
     return bitsPerFrame * Math.min(IDR_FRAME_LIMIT, MAX_IDR_SHARE * gopLength);
   }
 
-  /** P frames in a GOP. */
+  /** The number of P frames in a GOP. */
   private double pFrames() {
     return Math.max(1, gopLength - 1);
   }
 
   /**
-   * The debt, but for the part of the IDR frame's excess that the rest of the GOP has yet to repay.
+   * Returns the debt, excluding the part of the IDR frame's excess that is to be repaid by the rest
+   * of the GOP.
    */
-  private double owed() {
+  private double hasPending() {
     return debt - idrExcess * Math.max(0, gopLength - framesInGop) / pFrames();
   }
 
-  /** The QP at which a GOP fits the rate, with finer IDR than P frames. */
+  /**
+   * Returns the QP with which the IDR frame must be encoded so that a whole GOP fits the bit rate,
+   * given that IDR frames are finer than P frames.
+   */
   private double idealIdrQp(double budget) {
     double gopComplexity =
         idrComplexity * StrictMath.pow(2, IDR_QP_OFFSET / 6.0) + pFrames() * pComplexity;
@@ -181,7 +220,10 @@ final class RateControl {
     return Math.max(ideal, qpFor(idrComplexity, idrLimit()));
   }
 
-  /** Follows the target with hysteresis: a change that is taken back at once costs most. */
+  /**
+   * Returns the next QP of P frames. It follows a target with hysteresis, because the most
+   * expensive changes are changes that are reverted immediately.
+   */
   private int pQpTowards(double target) {
     double change = target - pQp;
     if (unconstrained) {
@@ -202,10 +244,10 @@ final class RateControl {
   }
 
   /**
-   * The QP of the next row.
+   * Returns the QP of the next row.
    *
-   * @param rows rows that are coded
-   * @param bits of these
+   * @param rows number of rows coded so far
+   * @param bits number of bits that these rows take
    */
   int rowCoded(int rows, int bits) {
     qpSum += qp;
@@ -215,7 +257,11 @@ final class RateControl {
     return qp;
   }
 
-  /** Ends a frame of that size [bit]. */
+  /**
+   * Ends a frame.
+   *
+   * @param bits the size of the frame [bit]
+   */
   void endFrame(int bits) {
     double complexity = bits * StrictMath.pow(2, (double) qpSum / heightInMbs / 6);
     double excess = bits - bitsPerFrame;

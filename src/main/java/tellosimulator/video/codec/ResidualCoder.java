@@ -3,23 +3,21 @@ package tellosimulator.video.codec;
 import java.util.Arrays;
 
 /**
- * Transforms and quantises the residual of a macroblock, and reconstructs it. Blocks whose SAD is
- * so small that they quantise to zero are left out before the transform.
+ * Transforms and quantises the residual of a macroblock, and reconstructs the macroblock. Blocks
+ * whose SAD is so small that they would be quantised to zero are skipped before the transform.
  */
 final class ResidualCoder {
 
-  /** An 8x8 luma block with a lower decimation score is not coded. Decided, as x264 does. */
+  /** Decimation score below which an 8x8 luma block is not coded. Decided: as in x264. */
   private static final int LUMA_DECIMATE_THRESHOLD = 4;
 
-  /**
-   * The AC levels of Cb or Cr with a lower decimation score are not coded. Decided, as x264 does.
-   */
+  /** Decimation score below which the AC levels of Cb or Cr are not coded. Decided: as in x264. */
   private static final int CHROMA_DECIMATE_THRESHOLD = 7;
 
-  /** The score of a level of 1, by the run of zeros before it. Decided, as x264 does. */
+  /** The score of a level of 1, by the number of zeros before it. Decided: as in x264. */
   private static final int[] DECIMATE_SCORES = {3, 2, 2, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 
-  /** The score of a level above 1: enough in any case. */
+  /** The score of a level above 1. A single such level is sufficient for a block to be coded. */
   private static final int MAX_DECIMATE_SCORE = 9;
 
   private final MacroblockSamples source;
@@ -31,7 +29,9 @@ final class ResidualCoder {
   private final int[] sads = new int[MacroblockSamples.BLOCKS];
 
   /**
-   * @param source of the current macroblock
+   * Creates a coder.
+   *
+   * @param source the samples of the current macroblock
    * @param residual receives the levels
    */
   ResidualCoder(MacroblockSamples source, Residual residual) {
@@ -40,7 +40,7 @@ final class ResidualCoder {
     this.residual = residual;
   }
 
-  /** Whether all blocks quantise to zero. */
+  /** Returns whether the SADs are so small that all blocks are quantised to zero. */
   boolean allZero(MacroblockSamples prediction, QpTables tables) {
     source.blockSads(prediction, sads);
     for (int block = 0; block < MacroblockSamples.CHROMA; block++) {
@@ -59,7 +59,7 @@ final class ResidualCoder {
   /**
    * Codes the residual of an Inter macroblock.
    *
-   * @param prediction becomes the reconstruction
+   * @param prediction the prediction; overwritten with the reconstruction
    */
   void inter(MacroblockSamples prediction, QpTables tables) {
     residual.clear();
@@ -72,7 +72,7 @@ final class ResidualCoder {
     chroma(prediction, tables.chroma(), tables.chromaZeroSad());
   }
 
-  /** Codes an 8x8 luma block; whether it has nonzero levels. */
+  /** Codes an 8x8 luma block and returns whether it has nonzero levels. */
   private boolean luma8x8(MacroblockSamples prediction, QpTables tables, int first) {
     int score = 0;
     for (int pair = first; pair < first + 8; pair += 4) {
@@ -92,13 +92,13 @@ final class ResidualCoder {
     return score >= LUMA_DECIMATE_THRESHOLD;
   }
 
-  /** Quantises a block; its decimation score. */
+  /** Quantises a block, and returns its decimation score. */
   private int quantize(Quantizer quantizer, int block, int first) {
     quantizer.quantizeBlock(transformed, block, residual, coefficients);
     return score(block, first);
   }
 
-  /** The decimation score of a block, from a scan position on. */
+  /** Returns the decimation score of a block, from a scan position on. */
   private int score(int block, int first) {
     int score = 0;
     int next = first;
@@ -116,7 +116,7 @@ final class ResidualCoder {
   /**
    * Codes the residual of an Intra 16x16 macroblock.
    *
-   * @param prediction becomes the reconstruction
+   * @param prediction the prediction; overwritten with the reconstruction
    */
   void intra16x16(MacroblockSamples prediction, QpTables tables) {
     residual.clear();
@@ -158,7 +158,10 @@ final class ResidualCoder {
     }
   }
 
-  /** Codes Cb and Cr; one whose blocks all have a lower SAD than {@code zeroSad} has no levels. */
+  /**
+   * Codes Cb and Cr. If all blocks of a plane have a SAD below {@code zeroSad}, no levels are coded
+   * for that plane.
+   */
   private void chroma(MacroblockSamples prediction, Quantizer quantizer, int zeroSad) {
     int cb = chroma(prediction, quantizer, zeroSad, Residual.CB_DC);
     int cr = chroma(prediction, quantizer, zeroSad, Residual.CR_DC);
@@ -197,7 +200,9 @@ final class ResidualCoder {
     return score >= CHROMA_DECIMATE_THRESHOLD ? 2 : nonZeroDc > 0 ? 1 : 0;
   }
 
-  /** Adds the inverse transform of a block, with its rescaled DC coefficient, to the prediction. */
+  /**
+   * Adds the inverse transform of a block to the prediction, including the rescaled DC coefficient.
+   */
   private void reconstruct(MacroblockSamples prediction, int block, int first) {
     int at = MacroblockSamples.offset(block);
     if (residual.nonZeroMasks[block] != 0) {

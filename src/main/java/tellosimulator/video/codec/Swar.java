@@ -5,13 +5,13 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * SIMD within a register: eight unsigned bytes in a long, the first one lowest, or four lanes of 16
- * bits. Plain arithmetic on longs compares and averages samples several times faster than a loop
- * over bytes.
+ * SIMD within a register. A long contains eight unsigned bytes, the first one lowest, or four lanes
+ * of 16 bits. Plain arithmetic on longs compares and averages samples several times faster than a
+ * loop over bytes.
  */
 final class Swar {
 
-  /** The low byte of each lane of 16 bits. */
+  /** The low byte of each 16-bit lane. */
   static final long LOW_BYTES = 0x00FF_00FF_00FF_00FFL;
 
   private static final long ONES = 0x0001_0001_0001_0001L;
@@ -30,24 +30,24 @@ final class Swar {
     LONGS.set(bytes, index, word);
   }
 
-  /** Eight times the same byte. */
+  /** Returns eight copies of a byte. */
   static long broadcast(int value) {
     return (value & 0xFF) * 0x0101_0101_0101_0101L;
   }
 
-  /** Four lanes with the same unsigned value. */
+  /** Returns four lanes with the same unsigned value. */
   static long broadcast16(int value) {
     return value * ONES;
   }
 
-  /** The averages of eight pairs of bytes, rounded up. */
+  /** Returns the averages of eight pairs of bytes, rounded up. */
   static long average(long a, long b) {
     return (a | b) - (((a ^ b) & 0xFEFE_FEFE_FEFE_FEFEL) >>> 1);
   }
 
   /**
-   * The absolute differences of eight pairs of bytes, summed in twos: the lowest lane holds the sum
-   * of the first two, and so on. Up to 128 results may be added up.
+   * Returns the absolute differences of eight pairs of bytes, added up in pairs: the lowest lane
+   * holds the sum of the first two differences, and so on. Up to 128 results may be added up.
    */
   static long absoluteDifferences(long a, long b) {
     long xor = a ^ b;
@@ -58,7 +58,7 @@ final class Swar {
     return (absolute & LOW_BYTES) + ((absolute >>> 8) & LOW_BYTES);
   }
 
-  /** The sum of four lanes, below 65536. */
+  /** Returns the sum of four lanes; the sum must be below 65536. */
   static int horizontalSum(long lanes) {
     return (int) ((lanes * ONES) >>> 48);
   }

@@ -4,18 +4,22 @@ package tellosimulator.video.codec;
  * The 4x4 integer transform and its inverse (H.264, 8.5.12), and the Hadamard transforms of DC
  * coefficients (8.5.10 and 8.5.11.1).
  *
- * <p>The forward transform works on two blocks side by side, four signed numbers in a word: the sum
- * of the first, the second times 2^16, and so on. Words add up as their numbers do; only extracting
- * numbers needs a bias that makes them positive.
+ * <p>The forward transform works on two blocks side by side. A word holds four signed numbers and
+ * is their weighted sum: the first number, plus the second times 2^16, and so on. Adding words
+ * therefore adds their numbers. A bias that makes the numbers positive is needed only to extract
+ * them.
  */
 final class Transform {
 
   private static final int STRIDE = MacroblockSamples.STRIDE;
 
-  /** Words of a block after {@link #forward}. */
+  /** Number of words for each block after {@link #forward}. */
   static final int WORDS_PER_BLOCK = 4;
 
-  /** Above 1530, the largest number after the vertical pass. */
+  /**
+   * The bias for extracting numbers; above 1530, which is the largest number after the vertical
+   * pass.
+   */
   private static final int BIAS = 0x1000;
 
   private static final long EVEN_LANES = 0x0000_FFFF_0000_FFFFL;
@@ -26,7 +30,9 @@ final class Transform {
   private final long[] oddColumns = new long[4];
 
   /**
-   * @param source the transform is of its difference from a prediction
+   * Creates a transform for the difference between a source and a prediction.
+   *
+   * @param source the samples to encode
    */
   Transform(MacroblockSamples source) {
     this.source = source;
@@ -35,9 +41,9 @@ final class Transform {
   /**
    * Transforms the residual of two blocks.
    *
-   * @param block the left one
-   * @param to receives four words for each block, at four times its number: one for each column of
-   *     coefficients, the top one lowest
+   * @param block number of the left block
+   * @param to receives four words for each block, starting at four times its number; each word is a
+   *     column of coefficients, with the topmost coefficient in the lowest bits
    */
   void forward(MacroblockSamples prediction, int block, long[] to) {
     int at = MacroblockSamples.offset(block);
@@ -60,7 +66,7 @@ final class Transform {
         WORDS_PER_BLOCK * block + WORDS_PER_BLOCK);
   }
 
-  /** Transforms four rows of four numbers vertically and transposes them. */
+  /** Transforms four rows of four numbers vertically, and transposes them. */
   private static void transformVertically(long[] rows) {
     long s03 = rows[0] + rows[3];
     long d03 = rows[0] - rows[3];
@@ -81,7 +87,7 @@ final class Transform {
     rows[3] = (second >>> 32) | (fourth & ~LOW_HALF);
   }
 
-  /** Transforms four columns horizontally; the bias cancels out in all but the first. */
+  /** Transforms four columns horizontally. The bias cancels out in all columns but the first. */
   private static void transformHorizontally(
       long p0, long p1, long p2, long p3, long[] to, int offset) {
     long s03 = p0 + p3;
@@ -94,7 +100,7 @@ final class Transform {
     to[offset + 3] = d03 - (d12 << 1);
   }
 
-  /** The DC coefficient of a block. */
+  /** Returns the DC coefficient of a block. */
   static int dc(long[] words, int block) {
     return (short) words[WORDS_PER_BLOCK * block];
   }
@@ -104,7 +110,7 @@ final class Transform {
     words[WORDS_PER_BLOCK * block] -= (short) words[WORDS_PER_BLOCK * block];
   }
 
-  /** Adds the inverse transform of a block with only a DC coefficient to the prediction. */
+  /** Adds to the prediction the inverse transform of a block that has only a DC coefficient. */
   static void addDcInverse(int dc, MacroblockSamples prediction, int at) {
     int value = (dc + 32) >> 6;
     byte[] samples = prediction.bytes;
@@ -119,7 +125,7 @@ final class Transform {
   /**
    * Adds the inverse transform of a block to the prediction.
    *
-   * @param from 16 coefficients column by column from offset on; they are changed
+   * @param from the 16 coefficients, column by column from {@code offset} on; overwritten
    * @param at offset of the block in the prediction
    */
   static void addInverse(int[] from, int offset, MacroblockSamples prediction, int at) {
@@ -155,7 +161,7 @@ final class Transform {
     return (byte) Math.max(0, Math.min(255, value));
   }
 
-  /** The 4x4 Hadamard transform; applied twice it multiplies by 16. */
+  /** Applies the 4x4 Hadamard transform; applying it twice multiplies by 16. */
   static void hadamard4x4(int[] values) {
     for (int i = 0; i < 16; i += 4) {
       butterfly(values, i, 1);
@@ -176,7 +182,7 @@ final class Transform {
     values[first + 3 * step] = a - b + c - d;
   }
 
-  /** The 2x2 Hadamard transform from an offset on; applied twice it multiplies by 4. */
+  /** Applies the 2x2 Hadamard transform from an offset on; applying it twice multiplies by 4. */
   static void hadamard2x2(int[] values, int offset) {
     int a = values[offset];
     int b = values[offset + 1];

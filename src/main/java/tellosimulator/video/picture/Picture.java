@@ -3,11 +3,12 @@ package tellosimulator.video.picture;
 import java.util.Arrays;
 
 /**
- * A picture as encoders take it: brightness (Y) of each pixel, and two colour differences (U and V)
- * of each square of four pixels, one byte each without sign, row by row from the top. ITU-R BT.601
- * with 16 to 235 for brightness, which is what decoders assume where a stream says nothing.
+ * A picture in the format that encoders use (4:2:0): the luma (Y) of each pixel, and two chroma
+ * values (U and V) for each square of four pixels, as unsigned bytes, row by row from the top. The
+ * values follow ITU-R BT.601, with luma from 16 to 235. Decoders assume this if a stream does not
+ * specify its colour space.
  *
- * <p>It is used again and again: who draws writes the planes, who encodes reads them. For one
+ * <p>Pictures are reused: the renderer writes the planes, and the encoder reads them. Used by one
  * thread at a time.
  */
 public final class Picture {
@@ -19,10 +20,10 @@ public final class Picture {
   private final byte[] v;
 
   /**
-   * A black picture.
+   * Creates a black picture.
    *
-   * @param width pixels, even
-   * @param height pixels, even
+   * @param width width of the picture [pixels], even
+   * @param height height of the picture [pixels], even
    */
   public Picture(int width, int height) {
     if (width <= 0 || height <= 0 || width % 2 != 0 || height % 2 != 0) {
@@ -39,14 +40,14 @@ public final class Picture {
     Arrays.fill(v, (byte) 128);
   }
 
-  /** A picture of its own that looks the same. */
+  /** Returns an independent copy. */
   public Picture copy() {
     Picture copy = new Picture(width, height);
     copy.set(this);
     return copy;
   }
 
-  /** Takes over how another picture of the same size looks. */
+  /** Copies the content of another picture of the same size. */
   public void set(Picture other) {
     System.arraycopy(other.y, 0, y, 0, y.length);
     System.arraycopy(other.u, 0, u, 0, u.length);
@@ -61,17 +62,17 @@ public final class Picture {
     return height;
   }
 
-  /** The brightness itself, not a copy. */
+  /** The luma plane itself, not a copy. */
   public byte[] y() {
     return y;
   }
 
-  /** The blue difference itself, not a copy; half as wide and half as high. */
+  /** The Cb plane itself, not a copy; half as wide and half as high. */
   public byte[] u() {
     return u;
   }
 
-  /** The red difference itself, not a copy; half as wide and half as high. */
+  /** The Cr plane itself, not a copy; half as wide and half as high. */
   public byte[] v() {
     return v;
   }

@@ -1,5 +1,5 @@
 /**
- * A picture on its way from camera to encoder. {@link tellosimulator.video.picture.Picture} is
- * filled by one and read by the other, on one thread.
+ * A picture on its way from the camera to the encoder. The camera fills a {@link
+ * tellosimulator.video.picture.Picture}, and the encoder reads it on the same thread.
  */
 package tellosimulator.video.picture;

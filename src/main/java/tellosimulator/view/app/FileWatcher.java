@@ -8,14 +8,15 @@ import java.nio.file.attribute.FileTime;
 import java.util.Optional;
 
 /**
- * Polls a file once a second for changes by other programs; while it is being written, or is gone,
- * it waits. For one thread.
+ * Detects changes that other programs make to a file. The file is checked at most once a second,
+ * and only when {@link #changed} is called. No change is reported while the file is missing or
+ * still being written. Not thread-safe.
  */
 final class FileWatcher {
 
   private static final long PERIOD_NANOS = 1_000_000_000;
 
-  /** What changes when a file is written. */
+  /** The attributes that change when a file is written. */
   private record Stamp(FileTime time, long size) {}
 
   private final Path file;
@@ -31,9 +32,11 @@ final class FileWatcher {
   }
 
   /**
-   * Whether the file is another one than before, and has been the same for a second.
+   * Returns whether the file has a change that has not been reported yet. A change is reported once
+   * two consecutive checks, at least a second apart, have found the same state; between checks, the
+   * result is false.
    *
-   * @param nanos of which only differences mean something [ns]
+   * @param nanos the current time; only differences are meaningful [ns]
    */
   boolean changed(long nanos) {
     if (looked && nanos - lookedNanos < PERIOD_NANOS) {

@@ -7,14 +7,18 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Notes in the log, level debug, when the window can be used and then every ten seconds how many
- * frames a second it shows. Benchmarks read it. For the JavaFX thread.
+ * Logs the time from the program's start until the window is usable, and then the frame rate every
+ * ten seconds, both at level debug. Benchmarks parse these lines. Confined to the JavaFX thread.
  */
 final class FrameRateLog extends AnimationTimer {
 
   private static final Logger LOG = LoggerFactory.getLogger(FrameRateLog.class);
 
-  /** The first pulse lays out and hands over a frame, the second one begins when it was taken. */
+  /**
+   * The number of the pulse, from 1, at which the first frame counts as shown. The first pulse lays
+   * out the window and submits a frame to the renderer; the second begins once the renderer has
+   * accepted that frame.
+   */
   private static final int FIRST_SHOWN = 2;
 
   private static final double PERIOD_NANOS = 10e9;
@@ -25,7 +29,9 @@ final class FrameRateLog extends AnimationTimer {
 
   private FrameRateLog() {}
 
-  /** Begins when the window has just been shown, if somebody reads it. */
+  /**
+   * Starts logging if level debug is enabled. Must be called right after the window has been shown.
+   */
   static void begin() {
     if (LOG.isDebugEnabled()) {
       new FrameRateLog().start();

@@ -4,17 +4,23 @@ import javafx.animation.AnimationTimer;
 import javafx.stage.Stage;
 
 /**
- * Holds the size of a stage while the window manager opens it. With OpenJFX 21 some window managers
- * leave a window at 200 × 200 pixels or at its least size, because the toolkit answers their late
- * messages with sizes from before. Measured: openbox 3.6, a fifth of a second after the window was
- * shown. For the JavaFX thread.
+ * Restores the size of a stage that shrinks while the window manager opens it. With OpenJFX 21,
+ * some window managers leave a window at 200 × 200 pixels or at its minimum size, because the
+ * toolkit answers late messages of the window manager with outdated sizes. Measured with openbox
+ * 3.6: this happens 0.2 s after the window is shown. Confined to the JavaFX thread.
  */
 final class InitialStageSize extends AnimationTimer {
 
-  /** How long it is held [ns]. Decided: before somebody can have resized it. */
+  /**
+   * The minimum time for which the size is kept [ns]. Decided: shorter than the time that a user
+   * needs to resize the window.
+   */
   private static final long HOLD_NANOS = 1_000_000_000;
 
-  /** Frames for which it is held at least, on machines that are slow to open a window. */
+  /**
+   * The minimum number of frames for which the size is kept. Decided: slow machines take longer
+   * than {@link #HOLD_NANOS} to open a window.
+   */
   private static final int HOLD_FRAMES = 30;
 
   private final Stage stage;
@@ -29,7 +35,7 @@ final class InitialStageSize extends AnimationTimer {
     height = stage.getHeight();
   }
 
-  /** Holds the size of a window that has just been shown. */
+  /** Keeps the size of a window that has just been shown. */
   static void hold(Stage stage) {
     new InitialStageSize(stage).start();
   }

@@ -7,14 +7,15 @@ import javafx.stage.Window;
 import javafx.util.Subscription;
 
 /**
- * Tells a listener of all input events in all windows of the program, before they are handled:
- * menus and lists that pop up are windows of their own. For the JavaFX thread.
+ * Notifies a listener of all input events in all windows of the program, before they are handled.
+ * Popup menus and lists are included, because they are windows of their own. Confined to the JavaFX
+ * thread.
  */
 final class InputActivity {
 
   private InputActivity() {}
 
-  /** Tells somebody until the subscription ends. */
+  /** Notifies the listener of each input event until the subscription ends. */
   static Subscription subscribe(Runnable listener) {
     EventHandler<InputEvent> telling = input -> listener.run();
     ListChangeListener<Window> windows =

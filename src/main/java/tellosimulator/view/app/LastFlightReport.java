@@ -18,8 +18,8 @@ import tellosimulator.view.log.ReportOffer;
 import tellosimulator.words.Translation;
 
 /**
- * The report of the flight that was recorded last. A thread of its own writes it into the folder of
- * the recording and opens it; the log tells what came of that. For the JavaFX thread.
+ * The report of the latest recorded flight. A separate thread writes it into the recording's folder
+ * and opens it; the outcome is logged. Confined to the JavaFX thread.
  */
 final class LastFlightReport implements ReportOffer {
 
@@ -34,7 +34,8 @@ final class LastFlightReport implements ReportOffer {
   private volatile boolean writing;
 
   /**
-   * @param opener shows a file to people, on the thread that has written it; says whether it could
+   * @param opener opens a file for the user and returns whether this succeeded; called on the
+   *     thread that wrote the file
    */
   LastFlightReport(RecordingFolder recordings, LogQueue logQueue, Predicate<Path> opener) {
     this.recordings = recordings;
@@ -43,10 +44,10 @@ final class LastFlightReport implements ReportOffer {
   }
 
   /**
-   * Looks whether there is a flight; called once a pulse.
+   * Updates the availability of the report. Must be called once per pulse.
    *
    * @param recorded whether flights are recorded
-   * @param newTranslation in which a report is written
+   * @param newTranslation the translation for the report's text
    */
   void update(boolean recorded, Translation newTranslation) {
     translation = newTranslation;

@@ -8,25 +8,29 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Where JavaFX unpacks its native libraries at the first start. It takes a folder in the user's
- * home and fails, with words about missing libraries, if that is full. For the main thread.
+ * The folder into which JavaFX unpacks its native libraries on its first start. By default, the
+ * folder is in the user's home directory. If the disk with that directory is full, JavaFX fails
+ * with a message about missing libraries. Confined to the main thread.
  *
- * @param usual JavaFX's own choice
- * @param temporary where a folder can be made instead
- * @param needed by the libraries [bytes]
+ * @param usual JavaFX's default folder
+ * @param temporary a folder in which a replacement can be created
+ * @param needed the space that the libraries need [bytes]
  */
 record NativeCache(Path usual, Path temporary, long needed) {
 
-  /** JavaFX's property for another folder. */
+  /** The system property that makes JavaFX use another folder. */
   static final String PROPERTY = "javafx.cachedir";
 
-  /** Measured: OpenJFX 21.0.12 unpacks up to 5 MB for a window on Linux. */
+  /**
+   * The default for the needed space, with a margin [bytes]. Measured: OpenJFX 21.0.12 unpacks up
+   * to 5 MB for a window on Linux.
+   */
   private static final long NEEDED = 8L << 20;
 
-  /** Of a library below the folder: version, processor, file. */
+  /** The number of levels from the folder down to a library: version, processor, and file name. */
   private static final int DEPTH = 3;
 
-  /** That of this user on this machine. */
+  /** Returns the cache of the current user on this machine. */
   static NativeCache ofThisUser() {
     return new NativeCache(
         Path.of(System.getProperty("user.home"), ".openjfx", "cache"),
@@ -35,9 +39,10 @@ record NativeCache(Path usual, Path temporary, long needed) {
   }
 
   /**
-   * Makes sure that there is a folder with enough room.
+   * Makes JavaFX use a folder with enough space. If that is not the default folder, sets {@link
+   * #PROPERTY}. Does nothing if the property is already set.
    *
-   * @return whether there is one
+   * @return false if neither folder has enough space
    */
   boolean prepare() {
     if (System.getProperty(PROPERTY) != null) {
@@ -50,7 +55,10 @@ record NativeCache(Path usual, Path temporary, long needed) {
     return folder.isPresent();
   }
 
-  /** The usual folder, or else a new one, which the system empties; empty if there is no room. */
+  /**
+   * Returns the default folder if it already contains the libraries or has enough space, or else a
+   * new temporary folder; empty if neither has enough space.
+   */
   Optional<Path> folder() {
     if (holdsLibraries() || canHold(usual)) {
       return Optional.of(usual);
@@ -77,7 +85,10 @@ record NativeCache(Path usual, Path temporary, long needed) {
     }
   }
 
-  /** Tries it, because quotas do not show in the free space. */
+  /**
+   * Creates a folder if it is missing, and returns whether it has enough space. Tests this by
+   * writing a file, because the usable space that the system reports ignores quotas.
+   */
   private boolean canHold(Path folder) {
     try {
       Files.createDirectories(folder);

@@ -6,8 +6,12 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.util.Subscription;
 import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.layout.WindowState.Flag;
 
-/** Fills the screen with the projector view, and leaves it as it was. For the JavaFX thread. */
+/**
+ * Switches to full screen while the projector view is shown, and restores the previous full-screen
+ * state afterwards. Confined to the JavaFX thread.
+ */
 final class ProjectorMode {
 
   private final WindowState state;
@@ -17,28 +21,30 @@ final class ProjectorMode {
     this.state = state;
   }
 
-  /** Follows a window's state, and lets Esc in its scene end the view, until it ends. */
+  /**
+   * Follows {@link Flag#PROJECTOR} until the subscription ends. Esc in the scene clears the flag.
+   */
   static Subscription install(Scene scene, WindowState state) {
     ProjectorMode mode = new ProjectorMode(state);
     EventHandler<KeyEvent> pressed = mode::pressed;
     scene.addEventHandler(KeyEvent.KEY_PRESSED, pressed);
     Subscription switched =
-        state.projectorProperty().subscribe((before, now) -> mode.fillScreen(now));
+        state.flag(Flag.PROJECTOR).subscribe((before, now) -> mode.fillScreen(now));
     return switched.and(() -> scene.removeEventHandler(KeyEvent.KEY_PRESSED, pressed));
   }
 
   private void pressed(KeyEvent event) {
-    if (event.getCode() == KeyCode.ESCAPE && state.projectorProperty().get()) {
-      state.projectorProperty().set(false);
+    if (event.getCode() == KeyCode.ESCAPE && state.flag(Flag.PROJECTOR).get()) {
+      state.flag(Flag.PROJECTOR).set(false);
       event.consume();
     }
   }
 
   private void fillScreen(boolean projected) {
     if (projected) {
-      fullScreenBefore = state.fullScreenProperty().get();
-      state.planShownProperty().set(false);
+      fullScreenBefore = state.flag(Flag.FULL_SCREEN).get();
+      state.flag(Flag.PLAN).set(false);
     }
-    state.fullScreenProperty().set(projected || fullScreenBefore);
+    state.flag(Flag.FULL_SCREEN).set(projected || fullScreenBefore);
   }
 }

@@ -16,8 +16,8 @@ import tellosimulator.view.replay.ReplayWindow.Appearance;
 import tellosimulator.view.text.Language;
 
 /**
- * Players of recordings in windows of their own, beside the simulator's. A thread of its own reads
- * each recording. For the JavaFX thread.
+ * Plays each recording in a window of its own. Recordings are read on a separate thread. Confined
+ * to the JavaFX thread.
  */
 final class RecordingPlayers {
 
@@ -28,7 +28,7 @@ final class RecordingPlayers {
   private final List<Stage> stages = new ArrayList<>();
 
   /**
-   * @param complain is told why a recording cannot be played
+   * @param complain receives the reason, on the JavaFX thread, if a recording cannot be played
    */
   RecordingPlayers(Appearance appearance, Consumer<Function<Language, String>> complain) {
     this.appearance = appearance;
@@ -36,9 +36,9 @@ final class RecordingPlayers {
   }
 
   /**
-   * Opens a recording once it is read.
+   * Reads a recording and then opens a player for it.
    *
-   * @param place its folder, or a file in it
+   * @param place the recording's folder, or a file in it
    */
   void open(Path place) {
     Worker.once(
@@ -70,7 +70,7 @@ final class RecordingPlayers {
     InitialStageSize.hold(stage);
   }
 
-  /** Closes all of them. */
+  /** Closes all players. */
   void closeAll() {
     List.copyOf(stages).forEach(Stage::hide);
   }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import javafx.stage.Stage;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.layout.WindowState.Flag;
 import tellosimulator.view.replay.ReplayFlight;
 import tellosimulator.view.replay.ReplayWindow;
 import tellosimulator.view.replay.ReplayWindow.Appearance;
@@ -13,7 +14,7 @@ import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
 import tellosimulator.view.text.Language;
 
-/** The program with a window on recorded flights. */
+/** The replay program: a window that plays recorded flights. */
 public final class ReplayApp {
 
   private final ReplayFlight flight;
@@ -21,10 +22,10 @@ public final class ReplayApp {
   private final DroneOptics optics;
 
   /**
-   * One that shows a flight.
+   * Creates the program for a flight.
    *
-   * @param ghost that is shown with it
-   * @param optics of the drones' cameras
+   * @param ghost another flight, shown for comparison; empty if there is none
+   * @param optics the optics of the drones' cameras
    */
   public ReplayApp(ReplayFlight flight, Optional<ReplayFlight> ghost, DroneOptics optics) {
     this.flight = flight;
@@ -33,25 +34,25 @@ public final class ReplayApp {
   }
 
   /**
-   * Opens the window, and returns after it was closed. The {@link Toolkit} must run.
+   * Opens the window and waits until it is closed. The {@link Toolkit} must be running.
    *
-   * @param settings what was remembered, and what is to be remembered
-   * @param state what the window is switched to
-   * @return whether there was a window; if not, the log says why
-   * @throws InterruptedException if the program is to end
+   * @param settings the settings to restore and save
+   * @param state the state of the window
+   * @return whether the window was shown; if not, the reason is logged
+   * @throws InterruptedException if the calling thread is interrupted while it waits
    */
   public boolean run(Settings settings, WindowState state) throws InterruptedException {
     return Toolkit.run(stage -> show(stage, settings, state));
   }
 
-  /** Shows the window in a stage. For the JavaFX thread. */
+  /** Shows the window in a stage. Called on the JavaFX thread. */
   void show(Stage stage, Settings settings, WindowState state) {
     Language language = new Language(Locale.getDefault());
     settings.bind("language", language.localeProperty(), Language.codec());
     WindowPlacement.remember(stage, settings);
     Appearance appearance = new Appearance(language, state.themeProperty(), optics);
     ReplayWindow window = new ReplayWindow(stage, flight, appearance);
-    window.camera().reducedMotionProperty().bind(state.reducedMotionProperty());
+    window.camera().reducedMotionProperty().bind(state.flag(Flag.REDUCED_MOTION));
     settings.bind(
         WindowSettings.ENLARGED_DRONES, window.dronesEnlargedProperty(), SettingCodec.flag());
     window.compareWith(ghost);

@@ -3,7 +3,6 @@ package tellosimulator.view.app;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalInt;
-import java.util.function.Function;
 import javafx.application.Platform;
 import javafx.stage.Stage;
 import javafx.util.Subscription;
@@ -15,6 +14,7 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.recording.FlightRecorder;
 import tellosimulator.recording.FlightRecorder.Subject;
+import tellosimulator.recording.RunResult;
 import tellosimulator.scenario.EditedScenario;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
@@ -22,40 +22,42 @@ import tellosimulator.scenario.ScenarioDocument;
 import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.sim.LogLimiter;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.gallery.GalleryPane;
-import tellosimulator.view.layout.QuestionPage.Question;
 import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.layout.WindowState.Flag;
 import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.log.LogQueue;
-import tellosimulator.view.log.ReportOffer;
 import tellosimulator.view.model.FxScenario;
-import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.ScenarioActions;
+import tellosimulator.view.model.UiTicker;
 import tellosimulator.view.model.ViewContext;
-import tellosimulator.view.plan.PlanEditorState;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
 
 /**
- * A scenario while it is flown: its simulation, its drones' video, and what the window shows of
- * them. Another scenario has all of it anew, in the same stage.
+ * A scenario that is being flown, with its simulation, its drones' video, and the content of the
+ * window. A new scenario gets a new session in the same stage.
  */
 final class ScenarioSession implements AutoCloseable {
 
-  /** Frames from look to look whether something is unsaved. Decided: a quarter of a second. */
+  /**
+   * The number of frames between checks for unsaved changes. Decided: a quarter of a second at 60
+   * frames a second.
+   */
   private static final int FRAMES_BETWEEN_LOOKS = 15;
 
   /**
-   * How drones and operators reach each other.
+   * The settings for the communication between drones and operators.
    *
-   * @param replyPort port to which all replies go; empty for the port each command came from
-   * @param recordings where it is recorded what they say to each other
+   * @param plan the addresses at which the drones listen
+   * @param replyPort the port to which all replies go; if empty, each reply goes to the port from
+   *     which its command came
+   * @param recordings the settings for recording flights
    */
   record Wire(AddressPlan plan, OptionalInt replyPort, SimulatorApp.Recordings recordings) {}
 
-  /** What stays when the scenario changes. */
+  /** The parts that remain when the scenario changes. */
   record Frame(Stage stage, Language language, WindowState state, Settings settings) {}
 
   private EditedScenario edited;
@@ -71,7 +73,7 @@ final class ScenarioSession implements AutoCloseable {
   private Frame frame;
   private int frames;
 
-  /** Starts its simulation; all drones are off. */
+  /** Starts the simulation with all drones off. */
   ScenarioSession(EditedScenario edited, Wire wire, DroneOptics optics, LogQueue logQueue) {
     this.edited = edited;
     this.logQueue = logQueue;
@@ -111,28 +113,34 @@ final class ScenarioSession implements AutoCloseable {
     recorder.ask(challenge);
   }
 
-  /** Shows it in a stage. For the JavaFX thread, as all that follows but for {@link #close}. */
+  /**
+   * Shows the session in a stage. This method and all methods below, except {@link #close}, are
+   * confined to the JavaFX thread.
+   */
   void showIn(Frame newFrame, ScenarioActions actions) {
     frame = newFrame;
     FxScenario scenario = new FxScenario(edited, goals, this::ask, actions);
     context = ViewContext.of(simulation, frame.language.linked(), video, scenario);
-    context.pulse().onBeat(nanos -> lookForEdits(scenario));
+    context.ticker().onTick(nanos -> lookForEdits(scenario));
     window = new SimulatorWindow(frame.stage, context, frame.state.linked(), logQueue);
     window.remember(frame.settings);
     recording =
         frame
             .state
-            .flightsRecordedProperty()
+            .flag(Flag.RECORDED_FLIGHTS)
             .subscribe(wanted -> recorder.setRecording(wanted || recordings.always()));
     window.show();
   }
 
-  /** Lets one open the report of the last flight. */
-  void offer(ReportOffer report) {
-    window.offer(report);
+  /** Returns the content of the window. */
+  SimulatorWindow window() {
+    return window;
   }
 
-  /** Not at each frame: it compares the whole scenario. */
+  /**
+   * Checks for unsaved changes every {@link #FRAMES_BETWEEN_LOOKS} frames rather than in each
+   * frame, because the check compares the whole scenario.
+   */
   private void lookForEdits(FxScenario scenario) {
     frames++;
     if (frames % FRAMES_BETWEEN_LOOKS == 0) {
@@ -140,7 +148,7 @@ final class ScenarioSession implements AutoCloseable {
     }
   }
 
-  /** Runs something whenever all goals have been reached. */
+  /** Runs an action whenever all goals have been reached. */
   void onSolved(Runnable action) {
     context
         .scenario()
@@ -154,16 +162,16 @@ final class ScenarioSession implements AutoCloseable {
             });
   }
 
-  Pulse pulse() {
-    return context.pulse();
+  UiTicker ticker() {
+    return context.ticker();
   }
 
-  /** Whether any drone has power. */
+  /** Returns whether any drone is switched on. */
   boolean on() {
     return context.simulation().drones().stream().anyMatch(drone -> drone.onProperty().get());
   }
 
-  /** Switches all drones on; the log says which stay off, and why. */
+  /** Switches all drones on; the log lists the drones that stay off, with the reasons. */
   void switchOn() {
     context
         .simulation()
@@ -171,33 +179,26 @@ final class ScenarioSession implements AutoCloseable {
         .forEach(drone -> context.actions().switchPower(drone.number(), true));
   }
 
-  /** Says in the window what is wrong with another scenario. */
-  void show(List<Function<Language, String>> diagnostics) {
-    window.show(diagnostics);
-  }
-
-  /** Lets somebody choose what to fly in, or closes that page. */
-  void toggleGallery(GalleryPane.Offer offer) {
-    window.toggleGallery(offer);
-  }
-
-  /** The scenario as it is now. */
+  /** Returns the scenario in its current state. */
   EditedScenario present() {
     return edited.in(simulation.snapshot(), context.scenario().challenge());
   }
 
-  /** What to begin anew: as it was opened, or the room as it is now if that came from nowhere. */
+  /**
+   * Returns the scenario for a new run. If the scenario comes from a file or the gallery, it is
+   * returned as it was opened; otherwise, it is returned as it is now.
+   */
   OpenedScenario asItBegins() {
     boolean plain = opened().file().isEmpty() && opened().known().isEmpty();
     return plain ? OpenedScenario.once(present().present()) : opened();
   }
 
-  /** The document of what is there now, as it would be in a file. */
+  /** Returns a document that contains the current scenario, to be written to the given file. */
   ScenarioDocument toSave(Path file) {
     return opened().document().changedTo(present().toSave(), ScenarioFile.folder(file));
   }
 
-  /** Does something when all that was done in the window has been carried out. */
+  /** Runs a callback once the simulation has carried out all pending actions of the window. */
   void whenSettled(Runnable action) {
     if (context.actions().pending()) {
       context.actions().afterPending(() -> Platform.runLater(() -> whenSettled(action)));
@@ -206,59 +207,39 @@ final class ScenarioSession implements AutoCloseable {
     }
   }
 
-  /** Whether there is something that no file has. */
+  /** Returns whether there are changes that have not been saved to a file. */
   boolean unsaved() {
     return present().unsaved();
   }
 
-  /** It has been written to a file, which from now on is the one to open again. */
+  /**
+   * Registers the file to which the scenario has been written. From then on, reloading reads this
+   * file.
+   */
   void savedAs(ScenarioDocument document, Path file) {
     edited = present().savedAs(document, file);
     context.scenario().savedAs(file);
     context.scenario().setUnsaved(unsaved());
   }
 
-  /** What was planned, for the session that goes on with it. */
-  PlanEditorState planned() {
-    return window.planned();
-  }
-
-  /** Goes on with what was planned in another session. */
-  void goOn(PlanEditorState planned) {
-    window.goOn(planned);
-  }
-
-  /** Saves it to its file, or lets somebody choose one. */
-  void save() {
-    window.save();
-  }
-
-  /** Whether a question waits for an answer. */
-  boolean asks() {
-    return window.asks();
-  }
-
-  /** Asks something in the window. */
-  void ask(Question question) {
-    window.ask(question);
-  }
-
-  /** Ends the window's part of it; the stage stays. */
+  /** Releases the part of the session that belongs to the window. The stage stays open. */
   void leave() {
     recording.unsubscribe();
     window.close();
   }
 
-  /** Lets go of the settings, so that another scenario can have them. */
-  void forget() {
-    window.forget(frame.settings);
-  }
-
-  /** Ends simulation, video and recording. For any thread. */
+  /** Stops the simulation, the video and the recording. Thread-safe. */
   @Override
   public void close() {
     video.close();
     simulation.close();
+    goals.close();
     recorder.close();
+  }
+
+  /** Returns the outcome. Must be called after {@link #close}. */
+  RunResult result() {
+    Progress last = goals.progress();
+    return new RunResult(last, false, last.score(), goals.tally(), simulation.snapshot().seed());
   }
 }

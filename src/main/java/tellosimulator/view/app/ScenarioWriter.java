@@ -9,7 +9,7 @@ import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.log.LogQueue;
 
-/** Writes scenarios to files, and tells the log what came of it. For any thread. */
+/** Writes scenarios to files and logs the outcome. Thread-safe. */
 final class ScenarioWriter {
 
   private final LogQueue logQueue;
@@ -18,7 +18,7 @@ final class ScenarioWriter {
     this.logQueue = logQueue;
   }
 
-  /** Whether it could be written. */
+  /** Writes a scenario and returns whether this succeeded. */
   boolean write(ScenarioDocument document, Path file) {
     try {
       ScenarioFile.write(document, file);
@@ -27,12 +27,12 @@ final class ScenarioWriter {
       return false;
     }
     say(LogLevel.INFO, "scenario-saved", file);
-    if (document.kept() != ScenarioDocument.Kept.ALL) {
+    if (document.kept() != ScenarioDocument.Preserved.ALL) {
       say(LogLevel.WARN, "scenario-written-anew", file);
     }
     try {
       ScenarioFile.read(file);
-    } catch (ScenarioException e) { // a gate may be gone of which a goal speaks
+    } catch (ScenarioException e) { // for example, a goal refers to a removed gate
       e.diagnostics().forEach(this::warn);
     }
     return true;
@@ -42,7 +42,7 @@ final class ScenarioWriter {
     logQueue.say(LogLevel.WARN, language -> diagnostic.in(language.translation()));
   }
 
-  /** Tells why it could not be written. */
+  /** Logs why a scenario could not be written. */
   void notSaved(Path file, IOException e) {
     logQueue.say(
         LogLevel.ERROR,

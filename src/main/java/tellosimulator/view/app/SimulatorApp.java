@@ -6,8 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.OptionalLong;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javafx.application.Platform;
 import javafx.stage.Stage;
@@ -15,6 +17,7 @@ import tellosimulator.goal.Challenge;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.RecordingFolder;
+import tellosimulator.recording.RunResult;
 import tellosimulator.scenario.Diagnostic;
 import tellosimulator.scenario.EditedScenario;
 import tellosimulator.scenario.Gallery;
@@ -35,6 +38,7 @@ import tellosimulator.view.gallery.SolvedScenarios;
 import tellosimulator.view.layout.QuestionPage.Question;
 import tellosimulator.view.layout.QuestionPage.Question.Answer;
 import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.layout.WindowState.Flag;
 import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.log.LogQueue;
 import tellosimulator.view.model.ScenarioActions;
@@ -46,16 +50,20 @@ import tellosimulator.view.settings.WindowPlacement;
 import tellosimulator.view.text.Language;
 import tellosimulator.world.Arena;
 
-/** The program with a window, in which one scenario after the other can be opened. */
+/** The simulator program with a window, in which scenarios can be opened one after another. */
 public final class SimulatorApp implements AutoCloseable, ScenarioActions {
 
   /**
-   * What holds for every scenario.
+   * The rules that apply to every scenario.
    *
-   * @param applied gives a scenario what was said about all; fails with a sentence if it cannot
-   * @param plan says which drone listens where; fails with a sentence if it cannot
-   * @param replyPort port to which all replies go; empty for the port each command came from
-   * @param recordings where flights are recorded
+   * @param applied applies the command-line options to a scenario; throws an {@link
+   *     IllegalArgumentException} with a message for the user if they do not fit the scenario
+   * @param plan assigns the address at which each drone listens; throws an {@link
+   *     IllegalArgumentException} with a message for the user if a drone cannot be assigned an
+   *     address
+   * @param replyPort the port to which all replies go; if empty, each reply goes to the port from
+   *     which its command came
+   * @param recordings the settings for recording flights
    */
   public record Rules(
       UnaryOperator<Scenario> applied,
@@ -64,10 +72,10 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
       Recordings recordings) {}
 
   /**
-   * Where flights are recorded.
+   * The settings for recording flights.
    *
-   * @param always whether they are, even if the window says otherwise
-   * @param options words of the command line
+   * @param always whether flights are recorded even if the window's setting is off
+   * @param options the command-line arguments of the program
    */
   public record Recordings(RecordingFolder folder, boolean always, List<String> options) {
 
@@ -91,16 +99,16 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   private Optional<FileWatcher> watch = Optional.empty();
 
   /**
-   * Starts the simulation; all drones are off.
+   * Starts the simulation with all drones off.
    *
-   * @param optics of the drones' cameras
+   * @param optics the optics of the drones' cameras
    */
   public SimulatorApp(OpenedScenario first, Rules rules, DroneOptics optics) {
     this(first, rules, optics, SystemBrowser::open);
   }
 
   /**
-   * @param reportOpener shows a report to people; says whether it could
+   * @param reportOpener opens a report for the user and returns whether this succeeded
    */
   SimulatorApp(
       OpenedScenario first, Rules rules, DroneOptics optics, Predicate<Path> reportOpener) {
@@ -111,7 +119,10 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     running = new ScenarioSession(EditedScenario.of(first), wireOf(plan), optics, logQueue);
   }
 
-  /** How another scenario is reached: from where the present one is. */
+  /**
+   * Returns the settings for the communication of another scenario. The drones of that scenario
+   * will be reachable from the same machines as the current drones.
+   */
   private Wire wire(Scenario scenario) {
     AddressPlan plan = rules.plan.apply(scenario).withReach(running.simulation().reach());
     return wireOf(plan);
@@ -122,36 +133,39 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   }
 
   /**
-   * Switches all drones on, or none.
+   * Switches all drones on. If one of them cannot be switched on, all stay off.
    *
-   * @throws PortTakenException if an address or port cannot be had
+   * @throws PortTakenException if an address or port is not available
    */
   public void switchAllOn() throws PortTakenException {
     running.simulation().switchAllOn();
   }
 
-  /** Which drone listens where; see {@link tellosimulator.network.OnlineSimulation#ready}. */
+  /**
+   * Returns the addresses at which the drones listen; see {@link
+   * tellosimulator.network.OnlineSimulation#ready}.
+   */
   public String ready() {
     return running.simulation().ready();
   }
 
   /**
-   * Opens the window, and returns after it was closed. The {@link Toolkit} must run.
+   * Opens the window and waits until it is closed. The {@link Toolkit} must be running.
    *
-   * @param settings what was remembered, and what is to be remembered
-   * @param state what the window is switched to
-   * @return whether there was a window; if not, the log says why
+   * @param settings the settings to restore and save
+   * @param state the state of the window
+   * @return whether the window was shown; if not, the reason is logged
    */
   public boolean run(Settings settings, WindowState state) throws InterruptedException {
     return Toolkit.run(stage -> show(stage, settings, state));
   }
 
-  /** Lets the window begin with the gallery, where nothing is remembered of an earlier start. */
+  /** Makes the window open with the gallery if there are no settings from an earlier start. */
   public void beginWithGallery() {
     galleryFirst = true;
   }
 
-  /** Shows the window in a stage. For the JavaFX thread. */
+  /** Shows the window in a stage. Called on the JavaFX thread. */
   void show(Stage stage, Settings settings, WindowState state) {
     Language language = new Language(Locale.getDefault());
     settings.bind("language", language.localeProperty(), Language.codec());
@@ -183,28 +197,28 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
 
   private void show(ScenarioSession scenario) {
     scenario.showIn(frame, this);
-    scenario.offer(report);
+    scenario.window().log().offer(report);
     watch = scenario.opened().file().map(FileWatcher::new);
-    scenario.pulse().onBeat(this::lookAtFile);
-    scenario.pulse().onBeat(nanos -> lookForFlight());
+    scenario.ticker().onTick(this::lookAtFile);
+    scenario.ticker().onTick(nanos -> lookForFlight());
     scenario.opened().known().ifPresent(name -> scenario.onSolved(() -> solved.add(name)));
   }
 
   private void lookForFlight() {
-    boolean recorded = rules.recordings.always() || frame.state().flightsRecordedProperty().get();
+    boolean recorded = rules.recordings.always() || frame.state().flag(Flag.RECORDED_FLIGHTS).get();
     report.update(recorded, frame.language().translation());
   }
 
   private void lookAtFile(long nanos) {
     if (watch.isPresent() && watch.get().changed(nanos)) {
-      // not within the beat that it ends
+      // not within a tick, because the session may end
       Platform.runLater(() -> running.whenSettled(this::fileChanged));
     }
   }
 
   private void fileChanged() {
-    if (running.unsaved() && running.asks()) {
-      return; // one thing after the other; saving looks again
+    if (running.unsaved() && running.window().pages().asks()) {
+      return; // one question at a time; saving checks the file again
     }
     if (running.unsaved()) {
       ask("file-changed", new Answer("keep", () -> {}), new Answer("read-again", this::readAgain));
@@ -226,7 +240,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
 
   @Override
   public void choose() {
-    running.toggleGallery(new GalleryPane.Offer(pictures, recent, solved));
+    running.window().toggleGallery(new GalleryPane.Offer(pictures, recent, solved));
   }
 
   @Override
@@ -247,7 +261,10 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   private void cannotPlay(Function<Language, String> reason) {
     logQueue.say(LogLevel.ERROR, reason);
     String sentence = reason.apply(frame.language());
-    running.ask(new Question("recording", sentence, List.of(new Answer("close", () -> {}))));
+    running
+        .window()
+        .pages()
+        .ask(new Question("recording", sentence, List.of(new Answer("close", () -> {}))));
   }
 
   private void openFile(Path file) {
@@ -255,7 +272,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
       replaceBy(OpenedScenario.of(ScenarioFile.open(file), file));
       recent.add(file);
     } catch (ScenarioException e) {
-      complain(e.diagnostics().stream().map(SimulatorApp::saying).toList());
+      complain(e);
     }
   }
 
@@ -280,6 +297,16 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   }
 
   @Override
+  public void openNextCourse() {
+    unlessLost(
+        () -> {
+          OpenedScenario opened = running.opened();
+          long next = opened.scenario().config().seed() + 1;
+          replaceBy(opened, OptionalLong.of(next));
+        });
+  }
+
+  @Override
   public void beginAnew(StartSettings settings) {
     ask(
         "begin-anew",
@@ -289,36 +316,48 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
 
   private void begin(StartSettings settings) {
     optics = settings.optics();
-    OpenedScenario opened = running.asItBegins();
-    Scenario scenario = opened.scenario();
-    OpenedScenario next = opened.with(scenario.withConfig(settings.appliedTo(scenario.config())));
-    begin(EditedScenario.of(next), wire(next.scenario()));
+    OpenedScenario begun = running.asItBegins();
+    boolean sameCourse = !begun.varies() || settings.seed() == begun.scenario().config().seed();
+    (sameCourse ? Optional.of(begun) : applied(begun, OptionalLong.of(settings.seed())))
+        .ifPresent(
+            opened -> {
+              Scenario scenario = opened.scenario();
+              OpenedScenario next =
+                  opened.with(scenario.withConfig(settings.appliedTo(scenario.config())));
+              begin(EditedScenario.of(next), wire(next.scenario()));
+            });
   }
 
   @Override
   public boolean replan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
     EditedScenario next = running.present().planned(arena, drones, challenge);
-    Optional<Wire> wire = wireOrComplaint(next.opened(), next.present());
+    Optional<Wire> wire = orComplaint(next.opened(), () -> wire(next.present()));
     wire.ifPresent(
         reached -> {
-          PlanEditorState planned = running.planned();
+          PlanEditorState planned = running.window().plan().memory();
           begin(next, reached);
-          running.goOn(planned);
+          running.window().plan().goOn(planned);
         });
     return wire.isPresent();
   }
 
-  /** How drones are reached; empty if they cannot be, which is told in the window. */
-  private Optional<Wire> wireOrComplaint(OpenedScenario opened, Scenario scenario) {
+  /**
+   * Returns the value of a supplier. If the supplier throws an exception because the value is
+   * invalid for a scenario, returns empty and shows the reason in the window.
+   */
+  private <T> Optional<T> orComplaint(OpenedScenario scenario, Supplier<T> value) {
     try {
-      return Optional.of(wire(scenario));
+      return Optional.of(value.get());
     } catch (IllegalArgumentException e) {
-      complain(List.of(language -> title(opened, language) + ": " + e.getMessage()));
+      complain(List.of(language -> title(scenario, language) + ": " + e.getMessage()));
       return Optional.empty();
     }
   }
 
-  /** Does something, at once or after somebody has said what becomes of unsaved edits. */
+  /**
+   * Runs an action. If there are unsaved changes, the user first decides what happens to them, and
+   * may cancel the action.
+   */
   private void unlessLost(Runnable action) {
     running.whenSettled(() -> unlessUnsaved(action));
   }
@@ -330,8 +369,8 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     }
     Runnable saveFirst =
         () -> {
-          running.save();
-          running.whenSettled( // it may not have worked, or no file was chosen
+          running.window().files().save();
+          running.whenSettled( // saving may fail, or the user may cancel it
               () -> {
                 if (!running.unsaved()) {
                   action.run();
@@ -346,7 +385,10 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   }
 
   private void ask(String key, Answer... answers) {
-    running.ask(new Question(key, title(running.opened(), frame.language()), List.of(answers)));
+    running
+        .window()
+        .pages()
+        .ask(new Question(key, title(running.opened(), frame.language()), List.of(answers)));
   }
 
   @Override
@@ -384,25 +426,49 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     logQueue.say(level, language -> language.messages(SimulatorApp.class).now(key, about));
   }
 
-  /** Ends what is flown and begins something else, with what holds for every scenario. */
+  /**
+   * Applies the command-line options to the chosen scenario, and begins a session with it. If the
+   * options do not fit, the current session continues, and the window shows the reason.
+   */
   private void replaceBy(OpenedScenario chosen) {
-    OpenedScenario next;
-    Wire wire;
-    try {
-      next = chosen.with(rules.applied.apply(chosen.scenario()));
-      wire = wire(next.scenario());
-    } catch (IllegalArgumentException e) {
-      complain(List.of(language -> title(chosen, language) + ": " + e.getMessage()));
-      return;
-    }
-    begin(EditedScenario.of(next), wire);
+    replaceBy(chosen, OptionalLong.empty());
   }
 
-  /** Ends what is flown and begins something else, in the same stage. */
+  /**
+   * @param seed the seed of its course; if empty, that of the rules or of the scenario
+   */
+  private void replaceBy(OpenedScenario chosen, OptionalLong seed) {
+    applied(chosen, seed)
+        .ifPresent(
+            next ->
+                orComplaint(chosen, () -> wire(next.scenario()))
+                    .ifPresent(wire -> begin(EditedScenario.of(next), wire)));
+  }
+
+  /**
+   * Returns the chosen scenario with the course of a seed and with the rules for all scenarios. If
+   * that is impossible, returns empty and shows the reason in the window.
+   */
+  private Optional<OpenedScenario> applied(OpenedScenario chosen, OptionalLong seed) {
+    Optional<Scenario> plain = orComplaint(chosen, () -> rules.applied.apply(chosen.scenario()));
+    if (plain.isEmpty() || !chosen.varies()) {
+      return plain.map(chosen::with);
+    }
+    try {
+      long drawnFrom = seed.orElse(plain.get().config().seed());
+      OpenedScenario course = chosen.drawnFrom(drawnFrom);
+      Scenario scenario = rules.applied.apply(course.scenario());
+      return Optional.of(course.with(scenario.withConfig(scenario.config().withSeed(drawnFrom))));
+    } catch (ScenarioException e) {
+      complain(e);
+      return Optional.empty();
+    }
+  }
+
+  /** Ends the current session and begins a new one in the same stage. */
   private void begin(EditedScenario next, Wire wire) {
     boolean on = running.on();
     running.leave();
-    running.forget();
     running.close();
     running = new ScenarioSession(next, wire, optics, logQueue);
     logQueue.say(
@@ -428,13 +494,22 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     return language -> diagnostic.in(language.translation());
   }
 
+  private void complain(ScenarioException e) {
+    complain(e.diagnostics().stream().map(SimulatorApp::saying).toList());
+  }
+
   private void complain(List<Function<Language, String>> diagnostics) {
     diagnostics.forEach(diagnostic -> logQueue.say(LogLevel.ERROR, diagnostic));
-    running.show(diagnostics);
+    running.window().pages().show(diagnostics);
   }
 
   @Override
   public void close() {
     running.close();
+  }
+
+  /** Returns the outcome of the present scenario. Must be called after {@link #close}. */
+  public RunResult result() {
+    return running.result();
   }
 }

@@ -2,88 +2,90 @@ package tellosimulator.view.app;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.function.Function;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javafx.application.Application;
-import javafx.beans.property.BooleanProperty;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
+import javafx.scene.control.Label;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
-import javafx.stage.WindowEvent;
 import javafx.util.Subscription;
-import tellosimulator.sim.Control;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.view.controls.ContactHint;
 import tellosimulator.view.controls.DroneList;
 import tellosimulator.view.controls.LastCommandRow;
 import tellosimulator.view.controls.NetworkControls;
-import tellosimulator.view.controls.PauseNotice;
 import tellosimulator.view.controls.SimulatorControls;
-import tellosimulator.view.fx.CommonStyles;
 import tellosimulator.view.fx.FileDrop;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.gallery.GalleryPane;
 import tellosimulator.view.goal.GoalPanel;
 import tellosimulator.view.layout.KeyBindings;
 import tellosimulator.view.layout.PageOverlay;
-import tellosimulator.view.layout.QuestionPage.Question;
+import tellosimulator.view.layout.ScenarioMenu;
 import tellosimulator.view.layout.SimulatorPane;
 import tellosimulator.view.layout.Theme;
 import tellosimulator.view.layout.WindowBar;
 import tellosimulator.view.layout.WindowCommands;
 import tellosimulator.view.layout.WindowKey;
 import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.layout.WindowState.Flag;
 import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.log.LogPane;
 import tellosimulator.view.log.LogQueue;
-import tellosimulator.view.log.ReportOffer;
-import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.ScenarioActions;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.PilotControls;
-import tellosimulator.view.plan.PlanEditorState;
 import tellosimulator.view.plan.PlanPane;
 import tellosimulator.view.projector.ProjectorPane;
 import tellosimulator.view.settings.Settings;
-import tellosimulator.view.text.Language;
-import tellosimulator.view.video.VideoCapture;
-import tellosimulator.view.world.RoomView;
+import tellosimulator.view.text.Messages;
 import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.view.world.ViewCamera;
 
-/** The window: its parts, put together. For the JavaFX thread. */
+/** The simulator's window, assembled from its parts. Confined to the JavaFX thread. */
 final class SimulatorWindow implements AutoCloseable {
 
   /**
-   * Size of the scene before the window has its own [px]. Measured: without one, the toolkit styles
-   * everything once more to find it, which takes a tenth of the start.
+   * Initial width of the scene, used until the window has a size [px]. Measured: without it, the
+   * toolkit computes a width by applying all styles once more; this takes a tenth of the startup
+   * time.
    */
   private static final double FIRST_WIDTH = 1280;
 
+  /** Initial height of the scene, used until the window has a size [px]. */
   private static final double FIRST_HEIGHT = 800;
 
-  /** Between what lies over the scene's corner [px]. */
+  /** Vertical gap between the parts that float over the scene [px]. */
   private static final double ASIDE_GAP = 8;
 
   private static final Pattern SCENARIO_FILE = Pattern.compile("(?i).*\\.ya?ml");
 
   /**
-   * Width of the scene below which goals and drones are folded, and buttons over it have no words
-   * [px]. Measured: what the buttons need with words, in German; with the power switch, and
-   * without.
+   * Width of the scene below which the goals and the list of drones are folded, and the buttons
+   * over the scene have no labels [px]. Measured: the width of the labelled buttons in German,
+   * without the power switch.
    */
   private static final double NARROW = 600;
 
+  /**
+   * Like {@link #NARROW}, but for a window that shows the power switch [px]. Measured: the width of
+   * the labelled buttons in German, with the power switch.
+   */
   private static final double NARROW_WITH_POWER = 730;
 
-  /** So many drones are listed at first. Decided: the list of more pushes the room aside. */
+  /**
+   * The maximum number of drones for which the list of drones is initially open. Decided: a longer
+   * list hides too much of the room.
+   */
   private static final int FEW_DRONES = 5;
 
   private final Stage stage;
@@ -107,16 +109,17 @@ final class SimulatorWindow implements AutoCloseable {
   private Subscription following;
 
   /**
-   * Builds the window, and does not show it yet.
+   * Builds the window without showing it.
    *
-   * @param state what it is switched to
-   * @param logQueue what its log shows
+   * @param state the window's state
+   * @param logQueue the source of the window's log
    */
   public SimulatorWindow(Stage stage, ViewContext context, WindowState state, LogQueue logQueue) {
     this.stage = stage;
     this.context = context;
     this.state = state;
-    // First: the first control would load the toolkit's own looks, if there were no others.
+    // Must come first: without a style sheet, the first control would load the toolkit's default
+    // one.
     state
         .themeProperty()
         .subscribe(theme -> Application.setUserAgentStylesheet(theme.stylesheet()));
@@ -136,10 +139,10 @@ final class SimulatorWindow implements AutoCloseable {
     memory = new WindowSettings(context, world, log, simulatorControls, networkControls);
     pane = pane();
     Parent root = new StackPane(pane, projector, pages);
-    CommonStyles.install(root);
+    Nodes.addCommonStyles(root);
     FileDrop.install(root, this::open);
     scene = scene(stage, root);
-    following = stage.fullScreenProperty().subscribe(state.fullScreenProperty()::set);
+    following = stage.fullScreenProperty().subscribe(state.flag(Flag.FULL_SCREEN)::set);
     setupKeys();
     setupPulse();
     setupBindings();
@@ -160,7 +163,10 @@ final class SimulatorWindow implements AutoCloseable {
     stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
   }
 
-  /** Opens what was dropped: the file of a scenario, or else a recording. */
+  /**
+   * Opens a dropped file: as a scenario if its name ends in .yaml or .yml, otherwise as a
+   * recording.
+   */
   private void open(Path dropped) {
     ScenarioActions actions = context.scenario().actions();
     boolean recording = !SCENARIO_FILE.matcher(String.valueOf(dropped.getFileName())).matches();
@@ -183,8 +189,8 @@ final class SimulatorWindow implements AutoCloseable {
   }
 
   /**
-   * The stage's only scene, which now shows this. Another scene would bring its own size into a
-   * window that is maximised, and leave full screen.
+   * Returns the stage's scene after replacing its root. The scene is created only once per stage: a
+   * new scene would impose its own size on a maximised window and would end full-screen mode.
    */
   private static Scene scene(Stage stage, Parent root) {
     if (stage.getScene() == null) {
@@ -195,17 +201,19 @@ final class SimulatorWindow implements AutoCloseable {
     return stage.getScene();
   }
 
-  /** Follows something until the window is closed. */
+  /** Keeps a subscription until the window is closed. */
   private void follow(Subscription subscription) {
     following = following.and(subscription);
   }
 
   private VBox notices() {
+    Messages messages = context.language().messages(NetworkControls.class);
+    Label paused = Nodes.named(messages.label("paused"), "pause-notice");
+    paused.setGraphic(new FontIcon(Feather.PAUSE));
+    Nodes.showIf(paused, context.simulation().pausedProperty());
     VBox notices =
         new VBox(
-            ASIDE_GAP,
-            new PauseNotice(context),
-            new LastCommandRow(context, "last-command", Orientation.HORIZONTAL));
+            ASIDE_GAP, paused, new LastCommandRow(context, "last-command", Orientation.HORIZONTAL));
     notices.setAlignment(Pos.CENTER);
     notices.setFillWidth(false);
     notices.setMouseTransparent(true);
@@ -224,16 +232,18 @@ final class SimulatorWindow implements AutoCloseable {
         state);
   }
 
-  /** Whatever a person does here, the window shows it with the next frame. */
+  /** Wakes the ticker on any input or resizing, so that the next frame shows the effect. */
   private void setupPulse() {
-    follow(InputActivity.subscribe(context.pulse()::wake));
-    follow(scene.widthProperty().subscribe(context.pulse()::wake));
-    follow(scene.heightProperty().subscribe(context.pulse()::wake));
+    follow(InputActivity.subscribe(context.ticker()::wake));
+    follow(scene.widthProperty().subscribe(context.ticker()::wake));
+    follow(scene.heightProperty().subscribe(context.ticker()::wake));
   }
 
   private void setupKeys() {
-    follow(pilot.install(scene)); // first: while it is on, its keys go before the window's
-    KeyBindings keys = keys();
+    follow(pilot.install(scene)); // first, so that its keys take precedence
+    WindowKeys actions = new WindowKeys(this, context, state, stage);
+    KeyBindings keys = actions.bindings();
+    bar.scenarios().onNextGroup(actions::nextGroup);
     WindowCommands commands = new WindowCommands(context, state, keys);
     keys.on(WindowKey.COMMANDS, () -> pages.togglePalette(commands));
     bar.addMenu(context.language(), commands);
@@ -242,74 +252,18 @@ final class SimulatorWindow implements AutoCloseable {
     pilot.keyboard().activeProperty().subscribe(this::giveKeysToDrone);
   }
 
-  private KeyBindings keys() {
-    return new KeyBindings()
-        .on(WindowKey.HELP, pages::toggleHelp)
-        .on(WindowKey.SIMULATOR_CONTROLS, () -> toggle(state.simulatorControlsShownProperty()))
-        .on(WindowKey.NETWORK_CONTROLS, () -> toggle(state.networkControlsShownProperty()))
-        .on(WindowKey.LOG, () -> toggle(state.logOpenProperty()))
-        .on(WindowKey.DRONES, () -> toggle(state.dronesShownProperty()))
-        .on(WindowKey.INSET, () -> toggle(world.insetVisibleProperty()))
-        .on(WindowKey.STILL, () -> capture().saveStill())
-        .on(WindowKey.PROJECTOR, () -> toggle(state.projectorProperty()))
-        .on(WindowKey.RECORD, () -> capture().toggleRecording())
-        .on(WindowKey.TRAIL, () -> toggle(world.trailVisibleProperty()))
-        .on(WindowKey.GOAL_LINE, () -> toggle(world.goalLineVisibleProperty()))
-        .on(WindowKey.PAUSE, context.actions()::togglePause)
-        .on(WindowKey.PLAN, () -> toggle(state.planShownProperty()))
-        .on(WindowKey.FULL_SCREEN, () -> toggle(state.fullScreenProperty()))
-        .on(WindowKey.FRONT_VIEW, () -> world.look(RoomView.FRONT))
-        .on(WindowKey.SIDE_VIEW, () -> world.look(RoomView.SIDE))
-        .on(WindowKey.TOP_VIEW, () -> world.look(RoomView.TOP))
-        .on(WindowKey.CHASE_VIEW, () -> world.look(RoomView.CHASE))
-        .on(WindowKey.START_VIEW, () -> world.look(RoomView.START))
-        .on(WindowKey.FIT, world::fit)
-        .on(WindowKey.FOLLOW, () -> toggle(world.camera().followingProperty()))
-        .on(WindowKey.DRONE_CAMERA, world::switchCamera)
-        .on(WindowKey.NEXT_DRONE, () -> context.simulation().selectNext(1))
-        .on(WindowKey.PREVIOUS_DRONE, () -> context.simulation().selectNext(-1))
-        .on(WindowKey.GALLERY, context.scenario().actions()::choose)
-        .on(WindowKey.OPEN_SCENARIO, bar.scenarios()::chooseToOpen)
-        .on(WindowKey.SAVE_SCENARIO, this::save)
-        .on(WindowKey.SAVE_SCENARIO_AS, bar.scenarios()::chooseToSave)
-        .on(WindowKey.RELOAD_SCENARIO, context.scenario().actions()::reload)
-        .on(WindowKey.AGAIN, goals::again)
-        .on(WindowKey.NEXT_GROUP, this::nextGroup)
-        .on(WindowKey.SEARCH_LOG, this::searchLog)
-        .on(WindowKey.QUIT, this::quit);
-  }
-
-  /** As the button of the frame does. */
-  private void quit() {
-    stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
-  }
-
-  private static void toggle(BooleanProperty property) {
-    property.set(!property.get());
-  }
-
-  /** Keeps pictures of the selected drone. */
-  private VideoCapture capture() {
-    return context.video().capture(context.simulation().selected().number());
-  }
-
-  private void searchLog() {
-    log.startSearch();
-  }
-
   private void setupBindings() {
     boolean several = context.simulation().drones().size() > 1;
-    drones.visibleProperty().bind(state.dronesShownProperty().map(shown -> shown && several));
-    drones.managedProperty().bind(drones.visibleProperty());
+    Nodes.showIf(drones, state.flag(Flag.DRONES).map(shown -> shown && several));
     world.setCovers(
         Stream.concat(Stream.of(goals, drones, pilot), projector.boxes().stream()).toList());
     context
         .scenario()
         .challengeProperty()
         .subscribe(challenge -> world.setGoals(challenge.goals()));
-    world.camera().reducedMotionProperty().bind(state.reducedMotionProperty());
-    log.openProperty().bindBidirectional(state.logOpenProperty());
-    pilot.powerShownProperty().bind(state.networkControlsShownProperty().not());
+    world.camera().reducedMotionProperty().bind(state.flag(Flag.REDUCED_MOTION));
+    log.openProperty().bindBidirectional(state.flag(Flag.LOG));
+    pilot.powerShownProperty().bind(state.flag(Flag.NETWORK_CONTROLS).not());
     simulatorControls.availableHeightProperty().bind(pane.sideHeight());
     networkControls.availableHeightProperty().bind(pane.sideHeight());
     ObservableValue<Boolean> narrow =
@@ -323,12 +277,11 @@ final class SimulatorWindow implements AutoCloseable {
         .challengeProperty()
         .map(asked -> asked.goals().isEmpty())
         .subscribe(none -> fit(narrow.getValue()));
-    plan.shownProperty().bindBidirectional(state.planShownProperty());
+    plan.shownProperty().bindBidirectional(state.flag(Flag.PLAN));
     plan.shownProperty().subscribe(this::giveKeys);
-    follow(state.fullScreenProperty().subscribe(stage::setFullScreen));
-    projector.visibleProperty().bind(state.projectorProperty());
-    world.showInsetWhile(state.projectorProperty().not());
-    bar.scenarios().onNextGroup(this::nextGroup);
+    follow(state.flag(Flag.FULL_SCREEN).subscribe(stage::setFullScreen));
+    projector.visibleProperty().bind(state.flag(Flag.PROJECTOR));
+    world.showInsetWhile(state.flag(Flag.PROJECTOR).not());
     simulatorControls
         .droneCameraProperty()
         .subscribe(
@@ -343,24 +296,10 @@ final class SimulatorWindow implements AutoCloseable {
             });
   }
 
-  /** Leaves nothing of those who flew before: operators, drones, batteries, paths, log, clock. */
-  private void nextGroup() {
-    for (FxDroneModel drone : context.simulation().drones()) {
-      context.actions().carryOut(new Control.Reset(drone.number()));
-      context.actions().carryOut(new Control.Release(drone.number()));
-      context.actions().carryOut(new Control.SetBattery(drone.number(), 100));
-    }
-    context
-        .actions()
-        .afterPending(
-            () -> {
-              world.clearTrails();
-              log.clear();
-              projector.restart();
-            });
-  }
-
-  /** A button that was reached by keyboard would keep them. */
+  /**
+   * Moves the focus to the scene when keyboard flight begins, because a focused button would
+   * consume the keys.
+   */
   private void giveKeysToDrone(boolean flies) {
     if (flies) {
       world.requestFocus();
@@ -371,7 +310,10 @@ final class SimulatorWindow implements AutoCloseable {
     return width < (withPower ? NARROW_WITH_POWER : NARROW);
   }
 
-  /** Leaves room to the scene: where there is more to list, the drones are a line that unfolds. */
+  /**
+   * Adapts the parts over the scene to the scene's width. Folds the list of drones if the scene is
+   * narrow, or if there are goals or many drones.
+   */
   private void fit(boolean narrow) {
     boolean few = context.simulation().drones().size() <= FEW_DRONES;
     pilot.narrowProperty().set(narrow);
@@ -379,12 +321,15 @@ final class SimulatorWindow implements AutoCloseable {
     drones.unfold(!narrow && few && context.scenario().challenge().goals().isEmpty());
   }
 
-  /** Nor shall they cover a drone's film. */
+  /** Folds the goals if the scene is narrow or shows the drone's video; otherwise unfolds them. */
   private void foldGoals(boolean narrow) {
     goals.unfold(!narrow && world.viewCameraProperty().get() != ViewCamera.DRONE);
   }
 
-  /** The plan's keys would steer a drone that one does not see. */
+  /**
+   * Ends keyboard flight when the plan opens, because the keys would otherwise steer a hidden
+   * drone. Moves the focus back to the scene when the plan closes.
+   */
   private void giveKeys(boolean toPlan) {
     if (toPlan) {
       pilot.keyboard().activeProperty().set(false);
@@ -393,75 +338,72 @@ final class SimulatorWindow implements AutoCloseable {
     }
   }
 
-  /** Is at first as it was left, and remembers how it is left; not where it is. */
+  /**
+   * Restores the parts of the window from the settings, and saves their changes until the window is
+   * closed.
+   */
   void remember(Settings settings) {
-    memory.remember(settings);
-    context.pulse().onBeat(settings::beat);
+    follow(memory.remember(settings));
+    context.ticker().onTick(settings::beat);
   }
 
-  /** Lets another window of the same program remember. */
-  void forget(Settings settings) {
-    memory.forget(settings);
-  }
-
-  /** Lets one open the report of the last flight. */
-  void offer(ReportOffer report) {
-    log.offer(report);
-  }
-
-  /** Opens it, or takes the place of another one in the same stage. */
+  /** Starts updating the window, and opens its stage unless the stage is already open. */
   void show() {
-    context.pulse().start();
+    context.ticker().start();
     boolean opens = !stage.isShowing();
     stage.show();
-    world.requestFocus(); // or the first button would have it, and Space would press that
+    world.requestFocus(); // otherwise Space would press the first button
     if (opens) {
       InitialStageSize.hold(stage);
       FrameRateLog.begin();
     }
   }
 
-  /** What was planned here, for a window that goes on with it. */
-  PlanEditorState planned() {
-    return plan.memory();
+  Simulator3DScene world() {
+    return world;
   }
 
-  /** Goes on with what was planned in another window. */
-  void goOn(PlanEditorState planned) {
-    plan.goOn(planned);
+  /** Moves all drones back to their starts. */
+  void again() {
+    goals.again();
   }
 
-  /** Says what is wrong with a scenario. */
-  void show(List<Function<Language, String>> diagnostics) {
-    pages.show(diagnostics);
+  /** Restarts the clock of the projector view. */
+  void restartClock() {
+    projector.restart();
   }
 
-  /** Lets somebody choose what to fly in, or closes that page. */
+  LogPane log() {
+    return log;
+  }
+
+  PlanPane plan() {
+    return plan;
+  }
+
+  PageOverlay pages() {
+    return pages;
+  }
+
+  /** Returns the menu that opens and saves scenarios. */
+  ScenarioMenu files() {
+    return bar.scenarios();
+  }
+
+  /** Opens the gallery, or closes it if it is open. */
   void toggleGallery(GalleryPane.Offer offer) {
     pages.toggleGallery(offer, bar.scenarios()::chooseToOpen);
   }
 
-  /** Asks something. */
-  void ask(Question question) {
-    pages.ask(question);
-  }
-
-  /** Whether a question waits for an answer. */
-  boolean asks() {
-    return pages.asks();
-  }
-
-  /** Saves the scenario to its file, or lets somebody choose one. */
-  void save() {
-    bar.scenarios().save();
-  }
-
-  /** Ends what it does beside showing; what its log showed, the next one shows. */
+  /**
+   * Releases everything except the stage. The log of the next window takes over the rows of this
+   * log.
+   */
   @Override
   public void close() {
     following.unsubscribe();
     context.actions().close();
-    context.pulse().stop();
+    context.ticker().stop();
     world.rest();
     pilot.close();
     log.handOver();

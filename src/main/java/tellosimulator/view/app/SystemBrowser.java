@@ -9,14 +9,17 @@ import java.util.concurrent.TimeUnit;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Opens files in the browser of the system. For any thread but JavaFX's, as it waits. */
+/**
+ * Opens files in the system's browser. The methods may block, so they must not be called on the
+ * JavaFX thread.
+ */
 final class SystemBrowser {
 
   private static final Logger LOG = LoggerFactory.getLogger(SystemBrowser.class);
 
   /**
-   * How long it may take to fail [s]. Decided: a program that still runs by then has opened the
-   * file; some stay until the browser is closed.
+   * The time after which a command that is still running counts as successful [s]. Decided: some
+   * browsers keep the command running until they are closed.
    */
   private static final int PATIENCE_SECONDS = 3;
 
@@ -25,7 +28,7 @@ final class SystemBrowser {
   /**
    * Opens a file.
    *
-   * @return whether that worked, as far as the system tells
+   * @return whether this succeeded, as far as the system reports errors
    */
   static boolean open(Path file) {
     List<String> command = command(System.getProperty("os.name"), file);
@@ -47,10 +50,10 @@ final class SystemBrowser {
   }
 
   /**
-   * What opens a file. Documented: freedesktop.org xdg-utils; macOS, open(1); Windows, the handler
-   * that its shell uses for addresses.
+   * Returns the command that opens a file. Documented: on Linux, xdg-utils of freedesktop.org; on
+   * macOS, open(1); on Windows, the shell's handler for URLs.
    *
-   * @param system as {@code os.name} has it
+   * @param system the value of {@code os.name}
    */
   static List<String> command(String system, Path file) {
     String name = system.toLowerCase(Locale.ROOT);

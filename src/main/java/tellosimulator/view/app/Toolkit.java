@@ -10,15 +10,16 @@ import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import tellosimulator.concurrent.LastWords;
 
-/** Starts JavaFX, if this machine can show a window. For the main thread. */
+/** Starts JavaFX if this machine can show a window. Confined to the main thread. */
 public final class Toolkit {
 
   private static final Logger LOG = LoggerFactory.getLogger(Toolkit.class);
 
   /**
-   * Lets JavaFX do 3D by software renderers such as Mesa's, which it otherwise refuses. Measured:
-   * without it there is no 3D under Xvfb.
+   * The property that makes JavaFX accept software renderers, such as Mesa's, for 3D. By default,
+   * JavaFX refuses them. Measured: without the property, there is no 3D under Xvfb.
    */
   private static final String FORCE_GPU = "prism.forceGPU";
 
@@ -28,9 +29,9 @@ public final class Toolkit {
   private Toolkit() {}
 
   /**
-   * Starts JavaFX and waits until it runs.
+   * Starts JavaFX and waits until it is running.
    *
-   * @return nothing, or why there cannot be a window
+   * @return the reason why no window can be opened; empty if JavaFX is running
    */
   public static Optional<ToolkitFailure> start() throws InterruptedException {
     if (System.getProperty(FORCE_GPU) == null) {
@@ -39,7 +40,7 @@ public final class Toolkit {
     if (nativesAreThere() && !NativeCache.ofThisUser().prepare()) {
       return Optional.of(ToolkitFailure.NO_ROOM);
     }
-    Platform.setImplicitExit(false); // or it would end at once, as it has no window yet
+    Platform.setImplicitExit(false); // otherwise JavaFX would exit before the first window
     CountDownLatch running = new CountDownLatch(1);
     try {
       Platform.startup(running::countDown);
@@ -55,19 +56,26 @@ public final class Toolkit {
   }
 
   /**
-   * Shows a window in a stage of its own, returns after it was closed, and ends JavaFX, which must
-   * run.
+   * Shows a window in a new stage, waits until it is closed, and then stops JavaFX. JavaFX must be
+   * running.
    *
-   * @param show what shows it; called on the JavaFX thread
-   * @return whether there was a window; if not, the log says why
+   * @param show shows the window in a stage; called on the JavaFX thread
+   * @return whether the window was shown; if not, the reason is logged
    */
   static boolean run(Consumer<Stage> show) throws InterruptedException {
+    String display = System.getenv("DISPLAY");
+    if (display != null) {
+      LastWords.prepare(
+          "The simulator ended unexpectedly: its display "
+              + display
+              + " is gone, or it was killed.");
+    }
     boolean shown = showUntilClosed(show);
     Platform.exit();
     return shown;
   }
 
-  /** The same, but leaves JavaFX running. */
+  /** Does the same as {@link #run}, but leaves JavaFX running. */
   static boolean showUntilClosed(Consumer<Stage> show) throws InterruptedException {
     CountDownLatch closed = new CountDownLatch(1);
     AtomicBoolean shown = new AtomicBoolean();
@@ -76,13 +84,13 @@ public final class Toolkit {
           try {
             Stage stage = new Stage();
             AppIcon.show(stage);
-            stage.addEventHandler( // later, as other handlers of this event save what is to be kept
+            stage.addEventHandler( // later, because other handlers of this event save settings
                 WindowEvent.WINDOW_HIDDEN, hidden -> Platform.runLater(closed::countDown));
             show.accept(stage);
             shown.set(true);
           } finally {
             if (!shown.get()) {
-              closed.countDown(); // or the program would go on, with nothing to be seen of it
+              closed.countDown(); // otherwise the program would wait forever
             }
           }
         });

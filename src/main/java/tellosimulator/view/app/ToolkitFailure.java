@@ -3,18 +3,24 @@ package tellosimulator.view.app;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Why JavaFX cannot open a window, each with what to say to somebody who expects one. */
+/**
+ * The reasons why JavaFX cannot open a window, each with a message for users who expect a window.
+ */
 public enum ToolkitFailure {
-  /** Measured: OpenJFX 21 on Linux, without and with a wrong {@code DISPLAY}. */
+  /**
+   * There is no display. Measured with OpenJFX 21 on Linux, with {@code DISPLAY} unset and with a
+   * wrong value.
+   */
   NO_DISPLAY(
       "There is no display",
       "so the simulator runs without a window. With --headless it does so without this sentence.",
       ""),
 
   /**
-   * Measured: OpenJFX 21 on Debian 12, each library hidden in turn. Without GTK or what it stands
-   * on, "Unable to load glass GTK library"; without libX11 or libXtst, an {@link
-   * UnsatisfiedLinkError}; without any pipeline, "No toolkit found".
+   * Libraries of the system are missing. Measured with OpenJFX 21 on Debian 12 by hiding each
+   * library in turn. Without GTK or its dependencies, the message is "Unable to load glass GTK
+   * library". Without libX11 or libXtst, an {@link UnsatisfiedLinkError} is thrown. Without any
+   * rendering pipeline, the message is "No toolkit found".
    */
   MISSING_LIBRARIES(
       "The window needs system libraries that are missing",
@@ -23,20 +29,26 @@ public enum ToolkitFailure {
           + " libxxf86vm1; on Fedora: sudo dnf install gtk3 libglvnd-glx mesa-dri-drivers libXtst"
           + " libXxf86vm."),
 
-  /** JavaFX unpacks libraries before it opens a window; see {@link NativeCache}. */
+  /**
+   * There is no folder with space for the libraries that JavaFX unpacks before it opens a window;
+   * see {@link NativeCache}.
+   */
   NO_ROOM(
       "The window needs some megabytes for its libraries, but neither your home folder nor the folder"
           + " for temporary files has them or may be written to",
       "so the simulator runs without a window.",
       " Make room and start it again."),
 
-  /** The jar holds the native libraries of the system on which it was built, and no others. */
+  /**
+   * The program was built on another kind of system. The jar contains only the native libraries of
+   * that system.
+   */
   OTHER_SYSTEM(
       "This program was built on another kind of computer",
       "so the simulator runs without a window.",
-      " Build it anew on this one: mvn -DskipTests package."),
+      " Build it again on this one: mvn -DskipTests package."),
 
-  /** Something that nobody has seen yet. */
+  /** Any other reason. */
   UNKNOWN("The window cannot be opened", "so the simulator runs without it.", "");
 
   private static final List<String> DISPLAY_WORDS = List.of("DISPLAY", "display");
@@ -48,8 +60,8 @@ public enum ToolkitFailure {
   private final String remedy;
 
   /**
-   * @param consequence of a simulator that could have a window
-   * @param remedy what helps; may be empty
+   * @param consequence the effect on a program that can also run without a window
+   * @param remedy how to solve the problem; may be empty
    */
   ToolkitFailure(String cause, String consequence, String remedy) {
     this.cause = cause;
@@ -58,7 +70,7 @@ public enum ToolkitFailure {
   }
 
   /**
-   * Judges by what the toolkit threw.
+   * Determines the reason from the toolkit's exception.
    *
    * @param nativesAreThere whether the class path has JavaFX's libraries for this system
    */
@@ -75,12 +87,17 @@ public enum ToolkitFailure {
         : UNKNOWN;
   }
 
-  /** What to say when the simulator runs all the same: one sentence, and what helps. */
+  /**
+   * Returns the message for a program that runs without a window: one sentence, followed by the
+   * remedy.
+   */
   public String sentence() {
     return cause + ", " + consequence + remedy;
   }
 
-  /** What to say of something that needs a window: one sentence, and what helps. */
+  /**
+   * Returns the message for a program that needs a window: one sentence, followed by the remedy.
+   */
   public String cause() {
     return cause + "." + remedy;
   }

@@ -5,6 +5,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.SimpleDoubleProperty;
+import javafx.util.Subscription;
 import tellosimulator.math.Frames;
 import tellosimulator.sim.Control;
 import tellosimulator.view.controls.NetworkControls;
@@ -16,45 +17,37 @@ import tellosimulator.view.settings.Settings;
 import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.world.Decor;
 
-/** What is remembered of the parts of a window, and by which keys. For the JavaFX thread. */
-final class WindowSettings {
+/** Saves and restores the settings of a window's parts. Confined to the JavaFX thread. */
+record WindowSettings(
+    ViewContext context,
+    Simulator3DScene world,
+    LogPane log,
+    SimulatorControls simulatorControls,
+    NetworkControls networkControls) {
 
-  /** The setting that draws distant drones larger, which the player has, too. */
+  /**
+   * The key of the setting that enlarges distant drones. The player of recordings uses this
+   * setting, too.
+   */
   static final String ENLARGED_DRONES = "show.enlarged-drones";
 
-  /** The setting of the grid [cm]. */
+  /** The key of the setting for the grid's size [cm]. */
   private static final String GRID = "grid-cm";
 
-  private final ViewContext context;
-  private final Simulator3DScene world;
-  private final LogPane log;
-  private final SimulatorControls simulatorControls;
-  private final NetworkControls networkControls;
-
-  WindowSettings(
-      ViewContext context,
-      Simulator3DScene world,
-      LogPane log,
-      SimulatorControls simulatorControls,
-      NetworkControls networkControls) {
-    this.context = context;
-    this.world = world;
-    this.log = log;
-    this.simulatorControls = simulatorControls;
-    this.networkControls = networkControls;
-  }
-
-  /** Lets the parts be at first as they were left, and remembers how they are left. */
-  void remember(Settings settings) {
-    flags().forEach((key, flag) -> settings.bind(key, flag, SettingCodec.flag()));
-    simulatorControls.remember(settings);
-    networkControls.remember(settings);
-    if (context.scenario().plain()) {
-      rememberGrid(settings);
+  /**
+   * Restores the parts from the settings, and saves their changes until the subscription ends. The
+   * size of the grid is included only if the window shows the default room.
+   */
+  Subscription remember(Settings settings) {
+    Subscription bound =
+        simulatorControls.remember(settings).and(networkControls.remember(settings));
+    for (Map.Entry<String, BooleanProperty> flag : flags().entrySet()) {
+      bound = bound.and(settings.bind(flag.getKey(), flag.getValue(), SettingCodec.flag()));
     }
+    return context.scenario().plain() ? bound.and(rememberGrid(settings)) : bound;
   }
 
-  /** What is remembered, by its key. */
+  /** Returns the boolean settings by their keys. */
   private Map<String, BooleanProperty> flags() {
     return Map.of(
         "show.trail",
@@ -73,30 +66,24 @@ final class WindowSettings {
         log.timeStampsProperty());
   }
 
-  /** Lets another window of the same program remember. */
-  void forget(Settings settings) {
-    flags().keySet().forEach(settings::unbind);
-    settings.unbind(GRID);
-    simulatorControls.forget(settings);
-    networkControls.forget(settings);
-  }
-
-  private void rememberGrid(Settings settings) {
+  private Subscription rememberGrid(Settings settings) {
     ReadOnlyObjectProperty<Decor> decor = context.simulation().decorProperty();
     DoubleProperty gridCm = new SimpleDoubleProperty(gridCm(decor.get()));
-    settings.bind(
-        GRID,
-        gridCm,
-        SettingCodec.decimal(
-            Frames.centimeters(Decor.SMALLEST_GRID), Frames.centimeters(Decor.LARGEST_GRID)));
+    Subscription bound =
+        settings.bind(
+            GRID,
+            gridCm,
+            SettingCodec.decimal(
+                Frames.centimeters(Decor.SMALLEST_GRID), Frames.centimeters(Decor.LARGEST_GRID)));
     if (gridCm.get() != gridCm(decor.get())) {
       Decor remembered = decor.get().withGrid(Frames.meters(gridCm.get()));
       context.actions().carryOut(new Control.Decorate(remembered));
     }
     decor.addListener((property, before, now) -> gridCm.set(gridCm(now)));
+    return bound;
   }
 
-  /** The grid as people see it, without the last bits of the conversion. */
+  /** Returns the size of the grid without the rounding errors of the conversion [cm]. */
   private static double gridCm(Decor decor) {
     return Math.rint(Frames.centimeters(decor.grid()) * 1000) / 1000;
   }

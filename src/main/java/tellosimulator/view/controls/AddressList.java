@@ -8,48 +8,37 @@ import java.util.List;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Messages;
 
 /**
- * Where a drone takes commands, the most useful address first, each with a button that copies it.
- * More than a few are folded away. For the JavaFX thread.
+ * A list of the addresses at which a drone accepts commands. The most useful address is at the top.
+ * Each address has a button that copies it. All addresses except the first few are hidden until the
+ * user unfolds them. Confined to the JavaFX thread.
  */
 final class AddressList extends VBox {
 
-  /** Addresses that are always shown. Decided: the network's, this machine's. */
+  /**
+   * The number of addresses that are always shown. Decided: one for the network and one for this
+   * machine.
+   */
   private static final int SHOWN = 2;
 
   private final Messages messages;
-  private final VBox rest = new VBox();
-  private final Hyperlink more = new Hyperlink();
+  private final VBox rest = Nodes.styled(new VBox(), "address-list");
+  private final Hyperlink more = Nodes.named(new Hyperlink(), "more-addresses");
   private List<InetSocketAddress> shown = List.of();
 
   AddressList(Messages messages) {
     this.messages = messages;
-    initializeSelf();
-    initializeParts();
-    setupEventHandlers();
-  }
-
-  private void initializeSelf() {
-    setId("addresses");
-    getStyleClass().add("address-list");
-  }
-
-  private void initializeParts() {
-    more.setId("more-addresses");
-    rest.getStyleClass().add("address-list");
+    Nodes.named(this, "addresses", "address-list");
     unfold(false);
-  }
-
-  private void setupEventHandlers() {
     more.setOnAction(pressed -> unfold(true));
   }
 
-  /** Shows addresses, if they are not shown already. */
+  /** Shows addresses, unless they are already shown. */
   void show(List<InetSocketAddress> addresses) {
     List<InetSocketAddress> ordered = mostUsefulFirst(addresses);
     if (ordered.equals(shown)) {
@@ -69,34 +58,29 @@ final class AddressList extends VBox {
   }
 
   private void unfold(boolean open) {
-    more.setVisible(!open);
-    more.setManaged(!open);
-    rest.setVisible(open);
-    rest.setManaged(open);
+    Nodes.setShown(more, !open);
+    Nodes.setShown(rest, open);
   }
 
   private HBox row(int index, InetSocketAddress address) {
     String text = text(address);
-    Label label = new Label(text);
-    label.setId("address-" + index);
-    label.getStyleClass().add("address");
-    label.setMaxWidth(Double.MAX_VALUE);
-    label.setMinWidth(USE_PREF_SIZE);
-    HBox.setHgrow(label, Priority.ALWAYS);
+    Label label = Nodes.named(new Label(text), "address-" + index, "address");
+    Nodes.growing(Nodes.unshrinkable(label));
     String key = address.getAddress().isLoopbackAddress() ? "address.loopback" : "address.network";
     Label reach = messages.label(key, "caption");
     Tooltips.install(reach, messages.text(key + ".hint"));
-    CopyButton copy = new CopyButton(messages.text("address.copy", text), () -> text);
-    copy.setId("copy-address-" + index);
-    copy.getStyleClass().add("icon-button");
-    HBox row = new HBox(label, reach, copy);
-    row.getStyleClass().add("row");
+    CopyButton copy =
+        Nodes.named(
+            new CopyButton(messages.text("address.copy", text), () -> text),
+            "copy-address-" + index,
+            "icon-button");
+    HBox row = Nodes.styled(new HBox(label, reach, copy), "row");
     return row;
   }
 
   /**
-   * The address that other machines of the local network probably reach, then loopback for programs
-   * on this machine, then all others.
+   * Orders addresses: first the address that other machines on the local network are most likely to
+   * reach, then the loopback address for programs on this machine, and then all others.
    */
   static List<InetSocketAddress> mostUsefulFirst(List<InetSocketAddress> addresses) {
     List<InetSocketAddress> ordered = new ArrayList<>(addresses);
@@ -112,8 +96,9 @@ final class AddressList extends VBox {
   }
 
   /**
-   * Low for addresses that local networks have. Assumed: homes and schools use 192.168 and 10;
-   * 172.16 to 172.31 is mostly the inner network of containers.
+   * Returns the rank of an address; addresses of local networks rank first. Assumed: homes and
+   * schools use addresses that begin with 192.168 or 10; addresses that begin with 172.16 to 172.31
+   * usually belong to internal networks of containers.
    */
   private static int rank(InetAddress address) {
     byte[] bytes = address.getAddress();
@@ -129,7 +114,12 @@ final class AddressList extends VBox {
     return 1;
   }
 
-  /** An address as people type it; without a port that is not chosen yet. */
+  /** Returns the most useful address, formatted as users type it. */
+  static String mostUseful(List<InetSocketAddress> addresses) {
+    return text(mostUsefulFirst(addresses).get(0));
+  }
+
+  /** Formats an address as users type it; the port is omitted if it has not been chosen yet. */
   static String text(InetSocketAddress address) {
     String host = address.getAddress().getHostAddress();
     return address.getPort() == 0 ? host : host + ":" + address.getPort();

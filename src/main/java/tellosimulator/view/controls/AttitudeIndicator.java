@@ -2,8 +2,6 @@ package tellosimulator.view.controls;
 
 import java.util.ArrayList;
 import java.util.List;
-import javafx.beans.property.DoubleProperty;
-import javafx.beans.property.SimpleDoubleProperty;
 import javafx.scene.Group;
 import javafx.scene.shape.Arc;
 import javafx.scene.shape.ArcType;
@@ -13,15 +11,16 @@ import javafx.scene.shape.Path;
 import javafx.scene.shape.Polygon;
 import javafx.scene.shape.Polyline;
 import javafx.scene.transform.Rotate;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.text.Messages;
 
 /**
- * An artificial horizon: sky and ground as the drone sees them, a pitch ladder with a rung each 10
- * degrees, and a roll scale. For the JavaFX thread.
+ * An artificial horizon: sky and ground as seen from the drone, a pitch ladder with a rung every 10
+ * degrees, and a roll scale. Confined to the JavaFX thread.
  */
 final class AttitudeIndicator extends Instrument {
 
-  /** Changes below this cannot be seen [deg]. */
+  /** The smallest visible change of an angle [deg]. */
   private static final double VISIBLE = 0.25;
 
   private static final int RUNG_STEP = 10;
@@ -32,19 +31,19 @@ final class AttitudeIndicator extends Instrument {
 
   private record Rung(int angleDeg, Line line) {}
 
-  private final DoubleProperty pitchDeg = new SimpleDoubleProperty(this, "pitchDeg");
-  private final DoubleProperty rollDeg = new SimpleDoubleProperty(this, "rollDeg");
   private final Messages messages;
   private final double middle;
   private final double radius;
   private final Rotate bank = new Rotate();
-  private final Arc ground = new Arc();
+  private final Arc ground = Nodes.styled(new Arc(), "ground");
   private final Line horizon;
   private final List<Rung> rungs = new ArrayList<>();
+  private double pitchDeg;
+  private double rollDeg;
   private double drawnPitch = Double.NaN;
 
   /**
-   * @param size its width and height [px]
+   * @param size the width and height [px]
    */
   AttitudeIndicator(Messages messages, double size) {
     super("attitude", "attitude-indicator", size, size);
@@ -54,7 +53,6 @@ final class AttitudeIndicator extends Instrument {
     this.horizon = line(radius, "horizon");
     initializeParts();
     layoutParts();
-    setupBindings();
     drawPitch();
   }
 
@@ -66,7 +64,6 @@ final class AttitudeIndicator extends Instrument {
     ground.setRadiusX(radius);
     ground.setRadiusY(radius);
     ground.setType(ArcType.CHORD);
-    ground.getStyleClass().add("ground");
     for (int angle = -HIGHEST_RUNG; angle <= HIGHEST_RUNG; angle += RUNG_STEP) {
       if (angle != 0) {
         boolean even = angle % (2 * RUNG_STEP) == 0;
@@ -76,13 +73,11 @@ final class AttitudeIndicator extends Instrument {
   }
 
   private void layoutParts() {
-    Circle sky = new Circle(middle, middle, radius);
-    sky.getStyleClass().add("sky");
+    Circle sky = Nodes.styled(new Circle(middle, middle, radius), "sky");
     Path marks = new DialScale(middle, radius).marks(0.86, ROLL_MARKS);
     Group world = new Group(sky, ground, horizon, marks);
     rungs.forEach(rung -> world.getChildren().add(rung.line()));
     world.getTransforms().add(bank);
-    world.setManaged(false);
 
     double wing = radius * 0.52;
     double gap = radius * 0.2;
@@ -91,38 +86,36 @@ final class AttitudeIndicator extends Instrument {
     Circle nose = new Circle(0, 0, 2);
     Polygon index = new Polygon(0, -radius * 0.84, -4, -radius * 0.84 + 7, 4, -radius * 0.84 + 7);
     Circle bezel = new Circle(0, 0, radius);
-    List.of(left, right).forEach(part -> part.getStyleClass().add("wing"));
+    List.of(left, right).forEach(part -> Nodes.styled(part, "wing"));
     List.of(nose, index).forEach(part -> part.getStyleClass().add("symbol"));
     bezel.getStyleClass().add("bezel");
     Group frame = new Group(left, right, nose, index, bezel);
     frame.setLayoutX(middle);
     frame.setLayoutY(middle);
-    frame.setManaged(false);
-    getChildren().addAll(world, frame);
+    addShapes(world, frame);
   }
 
-  private void setupBindings() {
-    pitchDeg.addListener((property, before, now) -> drawPitch());
-    rollDeg.addListener((property, before, now) -> drawRoll());
-  }
-
-  /** Nose up is positive [deg]. */
-  DoubleProperty pitchDegProperty() {
-    return pitchDeg;
-  }
-
-  /** Right side down is positive [deg]. */
-  DoubleProperty rollDegProperty() {
-    return rollDeg;
+  /**
+   * Shows an attitude.
+   *
+   * @param newPitchDeg the pitch; nose up is positive [deg]
+   * @param newRollDeg the roll; right side down is positive [deg]
+   */
+  void show(double newPitchDeg, double newRollDeg) {
+    pitchDeg = newPitchDeg;
+    rollDeg = newRollDeg;
+    drawPitch();
+    if (Math.abs(-rollDeg - bank.getAngle()) >= VISIBLE) {
+      bank.setAngle(-rollDeg);
+    }
   }
 
   private void drawPitch() {
-    double pitch = pitchDeg.get();
-    if (Math.abs(pitch - drawnPitch) < VISIBLE) {
+    if (Math.abs(pitchDeg - drawnPitch) < VISIBLE) {
       return;
     }
-    drawnPitch = pitch;
-    Horizon geometry = Horizon.of(pitch, radius);
+    drawnPitch = pitchDeg;
+    Horizon geometry = Horizon.of(pitchDeg, radius);
     ground.setStartAngle(geometry.groundStartDeg());
     ground.setLength(geometry.groundExtentDeg());
     double half = Math.sqrt(radius * radius - geometry.offset() * geometry.offset());
@@ -136,21 +129,57 @@ final class AttitudeIndicator extends Instrument {
     }
   }
 
-  private void drawRoll() {
-    if (Math.abs(-rollDeg.get() - bank.getAngle()) >= VISIBLE) {
-      bank.setAngle(-rollDeg.get());
-    }
-  }
-
   private Line line(double half, String styleClass) {
-    Line line = new Line(middle - half, middle, middle + half, middle);
-    line.getStyleClass().add(styleClass);
+    Line line = Nodes.styled(new Line(middle - half, middle, middle + half, middle), styleClass);
     return line;
   }
 
   @Override
   String description() {
     return messages.now(
-        "attitude.accessible", NumberText.whole(pitchDeg.get()), NumberText.whole(rollDeg.get()));
+        "attitude.accessible", NumberText.whole(pitchDeg), NumberText.whole(rollDeg));
+  }
+
+  /**
+   * The geometry of the artificial horizon for a given pitch, before it is rotated by the roll.
+   * Lengths are in pixels, measured downwards from the centre of a round dial.
+   *
+   * @param radius the radius of the dial
+   * @param offset the horizon's distance below the centre
+   */
+  record Horizon(double radius, double offset) {
+
+    /**
+     * Pitch at which the horizon reaches the dial's edge [deg]. Decided: twice the drone's maximum
+     * tilt of 25°, so that maximum tilt shifts the horizon by half the radius.
+     */
+    static final double PITCH_AT_EDGE = 50;
+
+    /**
+     * Returns the horizon of a drone whose nose points up by {@code pitchDeg}. The higher the nose,
+     * the more sky is visible.
+     */
+    static Horizon of(double pitchDeg, double radius) {
+      double share = Math.max(-1, Math.min(1, pitchDeg / PITCH_AT_EDGE));
+      return new Horizon(radius, share * radius);
+    }
+
+    /**
+     * Returns the start angle of the ground's circular segment, counter-clockwise from the right
+     * [deg].
+     */
+    double groundStartDeg() {
+      return 180 + Math.toDegrees(Math.asin(offset / radius));
+    }
+
+    /** Returns the extent of the ground's circular segment, counter-clockwise [deg]. */
+    double groundExtentDeg() {
+      return 180 - 2 * Math.toDegrees(Math.asin(offset / radius));
+    }
+
+    /** Returns the position of the pitch ladder's rung for a pitch angle [deg]. */
+    double rung(double angleDeg) {
+      return offset - angleDeg / PITCH_AT_EDGE * radius;
+    }
   }
 }

@@ -1,25 +1,27 @@
 package tellosimulator.view.controls;
 
-import javafx.beans.property.DoubleProperty;
-import javafx.beans.property.SimpleDoubleProperty;
 import javafx.css.PseudoClass;
 import javafx.scene.shape.Rectangle;
 import javafx.scene.text.Text;
 import tellosimulator.model.Battery;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.text.Messages;
 
-/** The battery's charge as a filled battery and a number. For the JavaFX thread. */
+/**
+ * Shows the battery's charge as a partly filled battery symbol and a number. Confined to the JavaFX
+ * thread.
+ */
 final class BatteryGauge extends Instrument {
 
-  /** What the charge means for flying, by the drone's own limits. */
+  /** The ranges of the battery's charge. The drone's abilities differ from range to range. */
   enum Charge {
     /** Flips are possible. */
     GOOD(Battery.LEAST_FOR_FLIP),
-    /** No flips. */
+    /** Flips are impossible. */
     FAIR(2 * Battery.TOO_LOW_FOR_TAKEOFF),
-    /** Soon no takeoff any more. */
+    /** Takeoff will soon be impossible. */
     LOW(Battery.TOO_LOW_FOR_TAKEOFF + 1),
-    /** No takeoff, and before long it lands by itself. */
+    /** Takeoff is impossible, and the drone will soon land by itself. */
     CRITICAL(0);
 
     private final int least;
@@ -42,27 +44,28 @@ final class BatteryGauge extends Instrument {
   private static final PseudoClass LOW = PseudoClass.getPseudoClass("low");
   private static final PseudoClass CRITICAL = PseudoClass.getPseudoClass("critical");
 
-  /** Size of the battery, and of everything [px]. */
+  /** Width of the battery's case [px]. */
   private static final double CASE_WIDTH = 30;
 
+  /** Height of the case and of the whole gauge [px]. */
   private static final double HEIGHT = 16;
+
+  /** Width of the whole gauge [px]. */
   private static final double WIDTH = 79;
 
-  /** What is between the case and its filling [px]. */
+  /** Gap between the case and its filling [px]. */
   private static final double GAP = 2.5;
 
-  private final DoubleProperty percent = new SimpleDoubleProperty(this, "percent", -1);
   private final Messages messages;
-  private final Rectangle filling = new Rectangle();
-  private final Text number = new Text();
-  private double drawn = Double.NaN;
+  private final Rectangle filling = Nodes.styled(new Rectangle(), "filling");
+  private final Text number = Nodes.named(new Text(), "battery-percent", "number");
+  private double percent = Double.NaN;
 
   BatteryGauge(Messages messages) {
     super("battery", "battery-gauge", WIDTH, HEIGHT);
     this.messages = messages;
     initializeParts();
     layoutParts();
-    setupBindings();
   }
 
   private void initializeParts() {
@@ -71,10 +74,6 @@ final class BatteryGauge extends Instrument {
     filling.setHeight(HEIGHT - 2 * GAP);
     filling.setArcWidth(3);
     filling.setArcHeight(3);
-    filling.getStyleClass().add("filling");
-    filling.setManaged(false);
-    number.setId("battery-percent");
-    number.getStyleClass().add("number");
   }
 
   private void layoutParts() {
@@ -82,29 +81,21 @@ final class BatteryGauge extends Instrument {
     body.setArcWidth(6);
     body.setArcHeight(6);
     body.getStyleClass().add("case");
-    Rectangle pole = new Rectangle(CASE_WIDTH, HEIGHT / 2 - 3, 2.5, 6);
-    pole.getStyleClass().add("pole");
-    body.setManaged(false);
-    pole.setManaged(false);
-    getChildren()
-        .addAll(body, pole, filling, CenteredText.rightAligned(number, WIDTH - 1, HEIGHT / 2));
+    Rectangle pole = Nodes.styled(new Rectangle(CASE_WIDTH, HEIGHT / 2 - 3, 2.5, 6), "pole");
+    addShapes(body, pole, filling, CenteredText.rightAligned(number, WIDTH - 1, HEIGHT / 2));
   }
 
-  private void setupBindings() {
-    percent.addListener((property, before, now) -> draw());
-  }
-
-  /** 0 to 100. */
-  DoubleProperty percentProperty() {
-    return percent;
-  }
-
-  private void draw() {
-    double whole = Math.rint(percent.get());
-    if (whole == drawn) {
+  /**
+   * Shows a charge.
+   *
+   * @param newPercent the charge, 0 to 100 [%]
+   */
+  void show(double newPercent) {
+    double whole = Math.rint(newPercent);
+    if (whole == percent) {
       return;
     }
-    drawn = whole;
+    percent = whole;
     filling.setWidth((CASE_WIDTH - 2 * GAP) * Math.max(0, Math.min(1, whole / 100)));
     number.setText(NumberText.whole(whole) + " %");
     Charge charge = Charge.of(whole);
@@ -115,6 +106,6 @@ final class BatteryGauge extends Instrument {
 
   @Override
   String description() {
-    return messages.now("battery.accessible", NumberText.whole(percent.get()));
+    return messages.now("battery.accessible", NumberText.whole(percent));
   }
 }

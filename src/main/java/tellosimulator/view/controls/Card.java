@@ -16,17 +16,18 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.fx.Nodes;
 
 /**
- * A part of a panel below a heading, which folds it away and back. What nobody has folded or opened
- * is folded while it is of no use, and by its panel where there is no room for everything. For the
- * JavaFX thread.
+ * A collapsible section of a panel. A click on its heading folds or unfolds the card. Until the
+ * user has made this choice, the card is folded while it is not useful, and the panel may fold it
+ * if there is not enough space for all cards. Confined to the JavaFX thread.
  */
 class Card extends VBox {
 
-  /** Who decides whether it is open. */
+  /** The state that the user has chosen, if any. */
   enum Folding {
-    /** The panel. */
+    /** The user has not chosen, so the panel decides. */
     AUTOMATIC,
     OPEN,
     FOLDED
@@ -37,20 +38,18 @@ class Card extends VBox {
       new SimpleObjectProperty<>(this, "folding", Folding.AUTOMATIC);
   private final ToggleButton head = new ToggleButton();
   private final HBox top = new HBox(head);
-  private final VBox content = new VBox();
+  private final VBox content = Nodes.styled(new VBox(), "card-content");
   private final BooleanProperty useful = new SimpleBooleanProperty(this, "useful", true);
   private boolean room = true;
 
   /**
-   * @param name in settings; the heading's id is {@code card-} with it
+   * @param name the name in settings; the heading's id is {@code card-} followed by the name
    */
   Card(String name, ObservableValue<String> title) {
     this.name = name;
     getStyleClass().addAll("panel-section", name + "-panel");
-    head.setId("card-" + name);
-    head.getStyleClass().add("card-head");
+    Nodes.named(head, "card-" + name, "card-head");
     head.textProperty().bind(title);
-    content.getStyleClass().add("card-content");
     top.setAlignment(Pos.CENTER_LEFT);
     VBox.setVgrow(content, Priority.ALWAYS);
     getChildren().addAll(top, content);
@@ -59,23 +58,23 @@ class Card extends VBox {
     useful.subscribe(this::show);
   }
 
-  /** Lays out what can be folded away. */
+  /** Lays out the nodes that can be folded. */
   final void layoutCard(Node... nodes) {
     content.getChildren().addAll(nodes);
   }
 
-  /** Lays out what stays at the right of the heading. */
+  /** Lays out the nodes to the right of the heading. They always stay visible. */
   final void layoutHead(Node... nodes) {
     top.getChildren().add(new Spacer());
     top.getChildren().addAll(List.of(nodes));
   }
 
-  /** See {@link Card}. */
+  /** Returns the name used in settings. */
   final String name() {
     return name;
   }
 
-  /** What a person wants, which is remembered. */
+  /** The user's choice, which is saved in the settings. */
   final ObjectProperty<Folding> foldingProperty() {
     return folding;
   }
@@ -88,13 +87,16 @@ class Card extends VBox {
     return content.visibleProperty();
   }
 
-  /** Says whether there is room for it, without which it is open only if a person wants it. */
+  /**
+   * Sets whether there is space for the card. If there is none, the card opens only at the user's
+   * request.
+   */
   final void setRoom(boolean newRoom) {
     room = newRoom;
     show();
   }
 
-  /** Says whether it is of use now, without which it is open only if a person wants it. */
+  /** Sets whether the card is useful now. If it is not, it opens only at the user's request. */
   final void setUseful(boolean newUseful) {
     useful.set(newUseful);
   }
@@ -106,8 +108,7 @@ class Card extends VBox {
   private void show() {
     boolean open =
         folding.get() == Folding.AUTOMATIC ? room && useful.get() : folding.get() == Folding.OPEN;
-    content.setVisible(open);
-    content.setManaged(open);
+    Nodes.setShown(content, open);
     head.setSelected(open);
     head.setGraphic(new FontIcon(open ? Feather.CHEVRON_DOWN : Feather.CHEVRON_RIGHT));
   }

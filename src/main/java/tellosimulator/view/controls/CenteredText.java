@@ -4,7 +4,10 @@ import javafx.geometry.Bounds;
 import javafx.scene.Group;
 import javafx.scene.text.Text;
 
-/** A text whose middle, or the middle of whose right edge, is at a point, whatever its font. */
+/**
+ * A text that stays centred at a point when its content or font changes. A right-aligned text ends
+ * at the point instead, and is centred only vertically.
+ */
 final class CenteredText extends Group {
 
   private final Text text;

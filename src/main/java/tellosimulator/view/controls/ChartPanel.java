@@ -13,42 +13,45 @@ import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**
- * Charts of height, speed and battery: beside each other where there is little room, and below each
- * other where there is more. Each drone's last minute is kept, so that choosing another drone shows
- * its own. Of use once motors have run. For the JavaFX thread.
+ * A card with charts of height, speed and battery. The charts are side by side if space is short,
+ * and otherwise stacked. The last minute of every drone is kept, so that selecting another drone
+ * shows its own data. The card counts as useful once the motors of any drone have run. Confined to
+ * the JavaFX thread.
  */
 final class ChartPanel extends Card {
 
-  /** Least time between two drawings [ns]. Decided: ten a second look alive. */
+  /** Minimum time between two drawings [ns]. Decided: ten drawings a second look smooth. */
   private static final long PERIOD_NANOS = 100_000_000;
 
   private static final double GAP = 6;
 
-  /** Height of charts beside each other, at least and where there is room [px]. */
+  /** Minimum height of charts that are side by side [px]. */
   private static final double LEAST_ROW = 52;
 
+  /** Preferred height of charts that are side by side [px]. */
   private static final double ROW = 110;
 
-  /** A chart that stands on its own is this high at least, and at the most [px]. */
+  /** Minimum height of a stacked chart [px]. */
   private static final double LEAST_ALONE = 64;
 
+  /** Maximum height of a stacked chart [px]. */
   private static final double MOST_ALONE = 110;
 
-  /** What is kept of a drone. */
+  /** The samples of a drone. */
   private record History(TimeSeries height, TimeSeries speed, TimeSeries battery) {
 
     static History empty() {
       return new History(new TimeSeries(), new TimeSeries(), new TimeSeries());
     }
 
-    /** Moment of the newest sample [s]. */
+    /** Returns the time of the newest sample [s]. */
     double newest() {
       return height.time(height.size() - 1);
     }
 
     void add(FxDroneModel drone, double seconds) {
-      height.add(seconds, drone.zCmProperty().get());
-      speed.add(seconds, drone.speedCmProperty().get());
+      height.add(seconds, drone.zCm());
+      speed.add(seconds, drone.speedCm());
       battery.add(seconds, drone.batteryPercentProperty().get());
     }
   }
@@ -79,7 +82,7 @@ final class ChartPanel extends Card {
     layoutCard(row);
     setUseful(false); // before the first flight
     clock = new DrawingClock(simulation, PERIOD_NANOS);
-    context.pulse().onBeat(this::beat);
+    context.ticker().onTick(this::beat);
   }
 
   private void beat(long nanos) {
@@ -92,8 +95,7 @@ final class ChartPanel extends Card {
     }
     History shown = histories.get(simulation.selected());
     boolean drawn = shown.newest() == drawnSeconds && drawnDrone == simulation.selected().number();
-    if (clock.due(nanos) && isOpen() && !drawn) {
-      clock.take(nanos);
+    if (isOpen() && !drawn && clock.due(nanos)) {
       drawnDrone = simulation.selected().number();
       drawnSeconds = shown.newest();
       height.show(shown.height(), drawnSeconds);
@@ -102,14 +104,14 @@ final class ChartPanel extends Card {
     }
   }
 
-  /** Open, it takes what nobody else needs. */
+  /** Returns a height with which an open card takes the space that the other cards leave. */
   @Override
   protected double computeMaxHeight(double width) {
     double more = isOpen() ? row.maxHeight(width) - row.prefHeight(width) : 0;
     return computePrefHeight(width) + more;
   }
 
-  /** The charts, as there is room for them. */
+  /** Arranges the charts according to the available space. */
   private final class Row extends Region {
 
     Row() {
@@ -140,7 +142,10 @@ final class ChartPanel extends Card {
       }
     }
 
-    /** The charge, which hardly changes in a minute, has least; the others share the rest. */
+    /**
+     * Stacks the charts. The battery chart gets the minimum height because its value hardly changes
+     * in a minute; the other charts share the rest.
+     */
     private void layoutBelowEachOther() {
       double each = Math.floor((getHeight() - LEAST_ALONE - 2 * GAP) / 2);
       height.resizeRelocate(0, 0, getWidth(), each);

@@ -2,8 +2,6 @@ package tellosimulator.view.controls;
 
 import java.util.Map;
 import java.util.stream.IntStream;
-import javafx.beans.property.DoubleProperty;
-import javafx.beans.property.SimpleDoubleProperty;
 import javafx.scene.Group;
 import javafx.scene.shape.Arc;
 import javafx.scene.shape.ArcType;
@@ -13,31 +11,33 @@ import javafx.scene.shape.Polygon;
 import javafx.scene.shape.Polyline;
 import javafx.scene.text.Text;
 import javafx.scene.transform.Rotate;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.text.Messages;
 
 /**
- * The heading, seen from above: the drone's picture turns clockwise with a growing yaw, above is
- * where a drone looks at its start. An arc shows how far it has turned. For the JavaFX thread.
+ * Shows the drone's heading as seen from above. A symbol of the drone turns clockwise as the yaw
+ * grows. The top of the dial is the heading at power-on, and an arc shows how far the drone has
+ * turned since then. Confined to the JavaFX thread.
  */
 final class Compass extends Instrument {
 
-  /** Changes below this cannot be seen [deg]. */
+  /** The smallest visible change [deg]. */
   private static final double VISIBLE = 0.5;
 
   private static final Map<Integer, String> NUMBERS =
       Map.of(0, "0", 90, "90", 180, "180", -90, "\u221290");
 
-  private final DoubleProperty yawDeg = new SimpleDoubleProperty(this, "yawDeg");
   private final Messages messages;
   private final double middle;
   private final double radius;
   private final Group drone;
   private final Rotate turn = new Rotate();
-  private final Arc turned = new Arc();
+  private final Arc turned = Nodes.styled(new Arc(), "turned");
+  private double yawDeg;
   private double drawnYaw;
 
   /**
-   * @param size its width and height [px]
+   * @param size the width and height [px]
    */
   Compass(Messages messages, double size) {
     super("compass", "compass", size, size);
@@ -47,7 +47,6 @@ final class Compass extends Instrument {
     this.drone = picture(radius * 0.38);
     initializeParts();
     layoutParts();
-    setupBindings();
   }
 
   private void initializeParts() {
@@ -57,54 +56,45 @@ final class Compass extends Instrument {
     turned.setRadiusY(radius);
     turned.setStartAngle(90);
     turned.setType(ArcType.OPEN);
-    turned.setManaged(false);
-    turned.getStyleClass().add("turned");
     drone.setLayoutX(middle);
     drone.setLayoutY(middle);
-    drone.setManaged(false);
     drone.getTransforms().add(turn);
   }
 
   private void layoutParts() {
     DialScale dial = new DialScale(middle, radius);
-    Circle card = new Circle(middle, middle, radius);
-    card.getStyleClass().addAll("card", "bezel");
-    card.setManaged(false);
+    Circle card = Nodes.styled(new Circle(middle, middle, radius), "card", "bezel");
     Path fine = dial.marks(0.93, IntStream.range(0, 24).mapToDouble(i -> i * 15).toArray());
     Path coarse = dial.marks(0.87, IntStream.range(0, 12).mapToDouble(i -> i * 30).toArray());
     coarse.getStyleClass().add("coarse");
-    fine.setManaged(false);
-    coarse.setManaged(false);
-    getChildren().addAll(card, fine, coarse, turned);
+    addShapes(card, fine, coarse, turned);
     NUMBERS.forEach(
         (angle, number) -> {
-          Text text = new Text(number);
-          text.getStyleClass().add("scale-number");
+          Text text = Nodes.styled(new Text(number), "scale-number");
           boolean aside = Math.abs(angle) == 90;
-          getChildren()
-              .add(new CenteredText(text, dial.x(angle, aside ? 0.66 : 0.7), dial.y(angle, 0.7)));
+          addShapes(new CenteredText(text, dial.x(angle, aside ? 0.66 : 0.7), dial.y(angle, 0.7)));
         });
-    getChildren().add(drone);
+    addShapes(drone);
   }
 
-  private void setupBindings() {
-    yawDeg.addListener((property, before, now) -> draw());
-  }
-
-  /** Clockwise seen from above, within ±180 [deg]. */
-  DoubleProperty yawDegProperty() {
-    return yawDeg;
-  }
-
-  private void draw() {
-    if (Math.abs(yawDeg.get() - drawnYaw) >= VISIBLE) {
-      drawnYaw = yawDeg.get();
+  /**
+   * Shows a heading.
+   *
+   * @param newYawDeg the yaw, clockwise seen from above, within ±180 [deg]
+   */
+  void show(double newYawDeg) {
+    yawDeg = newYawDeg;
+    if (Math.abs(yawDeg - drawnYaw) >= VISIBLE) {
+      drawnYaw = yawDeg;
       turn.setAngle(drawnYaw);
       turned.setLength(-drawnYaw);
     }
   }
 
-  /** A drone seen from above whose nose points up, around the origin. */
+  /**
+   * Returns a symbol of a drone seen from above. It is centred at the origin, and its nose points
+   * up.
+   */
   private static Group picture(double reach) {
     double motor = reach * 0.62;
     Group picture = new Group();
@@ -114,21 +104,24 @@ final class Compass extends Instrument {
     otherArms.getStyleClass().add("arm");
     picture.getChildren().addAll(arms, otherArms);
     for (int i = 0; i < 4; i++) {
-      Circle rotor = new Circle(i % 2 == 0 ? -motor : motor, i < 2 ? -motor : motor, reach * 0.36);
-      rotor.getStyleClass().add(i < 2 ? "front-rotor" : "rotor");
+      Circle rotor =
+          Nodes.styled(
+              new Circle(i % 2 == 0 ? -motor : motor, i < 2 ? -motor : motor, reach * 0.36),
+              i < 2 ? "front-rotor" : "rotor");
       picture.getChildren().add(rotor);
     }
     double tip = -reach * 1.28;
     Polygon nose =
-        new Polygon(
-            0, tip, reach * 0.34, -reach * 0.2, 0, reach * 0.1, -reach * 0.34, -reach * 0.2);
-    nose.getStyleClass().add("nose");
+        Nodes.styled(
+            new Polygon(
+                0, tip, reach * 0.34, -reach * 0.2, 0, reach * 0.1, -reach * 0.34, -reach * 0.2),
+            "nose");
     picture.getChildren().add(nose);
     return picture;
   }
 
   @Override
   String description() {
-    return messages.now("compass.accessible", NumberText.whole(yawDeg.get()));
+    return messages.now("compass.accessible", NumberText.whole(yawDeg));
   }
 }

@@ -7,59 +7,43 @@ import java.util.function.Function;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.network.Silence;
-import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * Says once where the selected drone listens, if it is on and nothing comes to it; goes away when
- * something does. For the JavaFX thread.
+ * A hint with the address of the selected drone. It appears when a {@link Silence} is reported, and
+ * disappears once a drone receives a datagram or, if the report was about video, sends video.
+ * Confined to the JavaFX thread.
  */
 public final class ContactHint extends HBox {
 
   private final ViewContext context;
   private final Messages messages;
-  private final Label sentence = new Label();
-  private final Button close = new Button("", new FontIcon(Feather.X));
+  private final Label sentence = Nodes.named(new Label(), "contact-hint-text");
   private Silence reason = Silence.NOTHING_CAME;
 
   /**
-   * @param log takes the sentence, too
+   * @param log receives the hint, too
    */
   public ContactHint(ViewContext context, Consumer<Function<Language, String>> log) {
     this.context = context;
     messages = context.language().messages(ContactHint.class);
-    initializeSelf();
-    initializeParts();
+    Nodes.named(this, "contact-hint", "contact-hint");
+    getStylesheets().add(ContactHint.class.getResource("controls.css").toExternalForm());
+    show(false);
+    Nodes.growing(Nodes.wrapping(sentence));
+    Button close =
+        Nodes.iconButton("contact-hint-close", Feather.X, messages.text("contact.close"));
     getChildren().addAll(new FontIcon(Feather.INFO), sentence, close);
     close.setOnAction(pressed -> show(false));
     context.actions().onSilence(silence -> hint(silence, log));
-    context.pulse().onBeat(nanos -> hideWhenHeard());
-  }
-
-  private void initializeSelf() {
-    setId("contact-hint");
-    getStyleClass().add("contact-hint");
-    getStylesheets().add(ContactHint.class.getResource("controls.css").toExternalForm());
-    show(false);
-  }
-
-  private void initializeParts() {
-    sentence.setId("contact-hint-text");
-    sentence.setWrapText(true);
-    sentence.setMaxWidth(Double.MAX_VALUE);
-    sentence.setMinHeight(USE_PREF_SIZE);
-    HBox.setHgrow(sentence, Priority.ALWAYS);
-    close.setId("contact-hint-close");
-    close.getStyleClass().add("icon-button");
-    Tooltips.install(close, messages.text("contact.close"));
-    close.accessibleTextProperty().bind(messages.text("contact.close"));
+    context.ticker().onTick(nanos -> hideWhenHeard());
   }
 
   private void hint(Silence silence, Consumer<Function<Language, String>> log) {
@@ -86,7 +70,6 @@ public final class ContactHint extends HBox {
   }
 
   private void show(boolean shown) {
-    setVisible(shown);
-    setManaged(shown);
+    Nodes.setShown(this, shown);
   }
 }

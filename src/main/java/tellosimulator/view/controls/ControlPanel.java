@@ -8,72 +8,67 @@ import javafx.beans.property.SimpleDoubleProperty;
 import javafx.scene.Node;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.VBox;
+import javafx.util.Subscription;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.view.settings.Settings;
 
 /**
- * A panel at a side of the window: parts below each other, of which some are {@link Card}s. Where
- * there is no room for all of them, it folds as many cards as it must, the least used first; who
- * has opened a card keeps it, and scrolls. For the JavaFX thread.
+ * A panel at a side of the window: a column of parts, some of which are {@link Card}s. If there is
+ * not enough space for all of them, the panel folds as many cards as necessary, starting with the
+ * least used ones. Cards that the user has opened stay open; if they do not fit, the panel scrolls.
+ * Confined to the JavaFX thread.
  */
 abstract class ControlPanel extends ScrollPane {
 
   private final DoubleProperty availableHeight =
       new SimpleDoubleProperty(this, "availableHeight", Double.MAX_VALUE);
-  private final VBox parts = new VBox();
+  private final VBox parts = Nodes.styled(new VBox(), "parts");
   private final List<Card> cards = new ArrayList<>();
   private boolean folding;
 
   /**
-   * @param width of the panel [px]
+   * @param width the width of the panel [px]
    */
   ControlPanel(String id, double width) {
-    setId(id);
-    getStyleClass().add("control-panel");
+    Nodes.named(this, id, "control-panel");
     getStylesheets().add(ControlPanel.class.getResource("controls.css").toExternalForm());
     setFitToWidth(true);
     setHbarPolicy(ScrollBarPolicy.NEVER);
-    setMinWidth(width);
-    setPrefWidth(width);
-    setMaxWidth(width);
-    parts.getStyleClass().add("parts");
+    Nodes.fixWidth(this, width);
     setContent(parts);
     availableHeight.addListener((property, before, now) -> foldSoon());
     sceneProperty().addListener((property, before, now) -> foldSoon());
   }
 
-  /** Lays out everything, from above. */
+  /** Sets the parts of the panel, from top to bottom. */
   final void layoutPanel(Node... nodes) {
     parts.getChildren().setAll(nodes);
   }
 
-  /** Says which cards are folded where room is short, the least used one first. */
+  /** Sets the cards that are folded if space is short, in this order. */
   final void foldInOrder(Card... leastUsedFirst) {
     cards.addAll(List.of(leastUsedFirst));
   }
 
-  /** How high it can be [px]. */
+  /** The height that is available to the panel [px]. If it is too small, cards are folded. */
   public final DoubleProperty availableHeightProperty() {
     return availableHeight;
   }
 
-  /** Its cards are at first as they were left, and it remembers how they are left. */
-  public final void remember(Settings settings) {
-    for (Card card : cards) {
-      settings.bind(key(card), card.foldingProperty(), SettingCodec.constant(Card.Folding.class));
-    }
+  /**
+   * Restores from the settings which cards are folded, and saves changes until the subscription
+   * ends.
+   */
+  public final Subscription remember(Settings settings) {
+    SettingCodec<Card.Folding> codec = SettingCodec.constant(Card.Folding.class);
+    return Subscription.combine(
+        cards.stream()
+            .map(card -> settings.bind("card." + card.name(), card.foldingProperty(), codec))
+            .toArray(Subscription[]::new));
   }
 
-  /** Lets another window of the same program remember. */
-  public final void forget(Settings settings) {
-    cards.forEach(card -> settings.unbind(key(card)));
-  }
-
-  private static String key(Card card) {
-    return "card." + card.name();
-  }
-
-  /** Not at once: the height changes while everything is laid out. */
+  /** Folds cards as soon as the current layout is complete; until then, heights still change. */
   final void foldSoon() {
     if (!folding) {
       folding = true;
@@ -84,7 +79,7 @@ abstract class ControlPanel extends ScrollPane {
   private void fold() {
     folding = false;
     if (!isShown()) {
-      return; // there are no styles to measure with
+      return; // without styles, nothing can be measured yet
     }
     cards.forEach(card -> card.setRoom(true));
     applyCss();

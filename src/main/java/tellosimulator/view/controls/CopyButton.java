@@ -11,17 +11,19 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.view.fx.Tooltips;
 
-/** Copies a text to the clipboard, and shows for a moment that it has. For the JavaFX thread. */
+/**
+ * Copies a text to the clipboard and briefly shows a confirmation. Confined to the JavaFX thread.
+ */
 public final class CopyButton extends Button {
 
-  /** How long it says that it has copied [s]. */
+  /** The time for which the confirmation is shown [s]. */
   private static final double THANKS = 1.5;
 
   private final PauseTransition thanks = new PauseTransition(Duration.seconds(THANKS));
 
   /**
-   * @param hint what it copies, as tooltip and for screen readers
-   * @param copied the text, asked for when it is pressed
+   * @param hint a description of the text, used as the tooltip and by screen readers
+   * @param copied returns the text; called when the button is pressed
    */
   public CopyButton(ObservableValue<String> hint, Supplier<String> copied) {
     setGraphic(new FontIcon(Feather.COPY));

@@ -5,18 +5,18 @@ import javafx.scene.shape.MoveTo;
 import javafx.scene.shape.Path;
 
 /**
- * Positions on a round dial, and its tick marks as one node.
+ * Computes positions on a round dial, and creates its tick marks as one node.
  *
- * @param middle of the dial, from its left and top [px]
- * @param radius of the dial [px]
+ * @param middle the distance of the centre from the left edge, and also from the top edge [px]
+ * @param radius the radius of the dial [px]
  */
 record DialScale(double middle, double radius) {
 
   /**
-   * Marks from the rim inwards.
+   * Returns tick marks that extend from the rim inwards.
    *
-   * @param inner where they end, as a part of the radius
-   * @param anglesDeg where they are, clockwise from the top
+   * @param inner the inner end of the marks, as a fraction of the radius
+   * @param anglesDeg the positions, clockwise from the top
    */
   Path marks(double inner, double... anglesDeg) {
     Path path = new Path();
@@ -28,12 +28,18 @@ record DialScale(double middle, double radius) {
     return path;
   }
 
-  /** Where a point is, from the left [px]; {@code distance} is a part of the radius. */
+  /**
+   * Returns the distance of a point from the left edge [px]; {@code distance} is a fraction of the
+   * radius.
+   */
   double x(double angleDeg, double distance) {
     return middle + Math.sin(Math.toRadians(angleDeg)) * distance * radius;
   }
 
-  /** Where a point is, from the top [px]; {@code distance} is a part of the radius. */
+  /**
+   * Returns the distance of a point from the top edge [px]; {@code distance} is a fraction of the
+   * radius.
+   */
   double y(double angleDeg, double distance) {
     return middle - Math.cos(Math.toRadians(angleDeg)) * distance * radius;
   }

@@ -1,11 +1,12 @@
 package tellosimulator.view.controls;
 
 import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.ViewContext;
 
 /**
- * Says at which beats something is due that is drawn less often than once a frame. All that have
- * the same period are due at the same beat: a frame costs much where the processor draws. For the
- * JavaFX thread.
+ * Determines when to redraw a part that is drawn less often than once a frame. All clocks with the
+ * same period are due at the same tick, because each frame is expensive with software rendering.
+ * Confined to the JavaFX thread.
  */
 final class DrawingClock {
 
@@ -14,21 +15,35 @@ final class DrawingClock {
   private long takenNanos = Long.MIN_VALUE;
 
   /**
-   * @param movingNanos time between two drawings while something moves [ns]; else it is longer
+   * @param movingNanos the period while something moves [ns]; while nothing moves, the period is
+   *     longer
    */
   DrawingClock(FxSimulation simulation, long movingNanos) {
     this.simulation = simulation;
     this.movingNanos = movingNanos;
   }
 
-  /** Whether a period has begun since what was due was last taken. */
-  boolean due(long nanos) {
-    long period = simulation.period(movingNanos);
-    return nanos / period != takenNanos / period;
+  /**
+   * Runs an update once per period. While actions are pending, the update is postponed, because it
+   * would show outdated values.
+   */
+  static void run(ViewContext context, long movingNanos, Runnable update) {
+    DrawingClock clock = new DrawingClock(context.simulation(), movingNanos);
+    context
+        .ticker()
+        .onTick(
+            nanos -> {
+              if (!context.actions().pending() && clock.due(nanos)) {
+                update.run();
+              }
+            });
   }
 
-  /** What was due has been done. */
-  void take(long nanos) {
-    takenNanos = nanos;
+  /** Returns whether a new period has begun since this method last returned true. */
+  boolean due(long nanos) {
+    long period = simulation.period(movingNanos);
+    boolean due = nanos / period != takenNanos / period;
+    takenNanos = due ? nanos : takenNanos;
+    return due;
   }
 }

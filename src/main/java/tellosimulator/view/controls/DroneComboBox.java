@@ -4,23 +4,27 @@ import javafx.scene.control.ComboBox;
 import javafx.scene.control.ListCell;
 import javafx.scene.shape.Circle;
 import tellosimulator.view.drone.DroneColors;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.SceneContext;
 import tellosimulator.view.text.Messages;
 
-/** Which drone panels and cameras show; only there if there are several. For the JavaFX thread. */
+/**
+ * Selects the drone that panels and cameras show. Visible only if there are several drones.
+ * Confined to the JavaFX thread.
+ */
 public final class DroneComboBox extends ComboBox<FxDroneModel> {
 
   private final FxSimulation simulation;
   private final Messages messages;
 
-  /** A choice of the drones that a window shows. */
+  /** Creates a combo box with the drones of a window. */
   public DroneComboBox(SceneContext context) {
     this.simulation = context.simulation();
     this.messages = context.language().messages(DroneComboBox.class);
     initializeSelf();
-    setupBindings();
+    valueProperty().bindBidirectional(simulation.selectedProperty());
   }
 
   private void initializeSelf() {
@@ -31,15 +35,10 @@ public final class DroneComboBox extends ComboBox<FxDroneModel> {
     setButtonCell(new DroneCell());
     accessibleTextProperty().bind(messages.text("drone.choice"));
     boolean several = simulation.drones().size() > 1;
-    setVisible(several);
-    setManaged(several);
+    Nodes.setShown(this, several);
   }
 
-  private void setupBindings() {
-    valueProperty().bindBidirectional(simulation.selectedProperty());
-  }
-
-  /** Number, colour, state and battery of a drone. */
+  /** A cell with the number, colour, state and battery of a drone. */
   private final class DroneCell extends ListCell<FxDroneModel> {
 
     private final Circle dot = new Circle(5);

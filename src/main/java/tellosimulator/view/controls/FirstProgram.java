@@ -9,14 +9,17 @@ import javafx.scene.layout.StackPane;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
-/** A short Python program that flies a drone of this simulator, to copy. For the JavaFX thread. */
+/**
+ * Shows a short Python program that flies a drone of this simulator. A button copies the program.
+ * Confined to the JavaFX thread.
+ */
 public final class FirstProgram extends StackPane {
 
   private final Label program = new Label();
   private final CopyButton copy;
 
   /**
-   * @param id what the ids of its parts begin with
+   * @param id the prefix of the ids of its parts
    */
   public FirstProgram(String id, Language language) {
     Messages messages = language.messages(FirstProgram.class);
@@ -32,23 +35,26 @@ public final class FirstProgram extends StackPane {
     getChildren().addAll(program, copy);
   }
 
-  /** Copies it; beside it unless it is laid out elsewhere. */
+  /**
+   * Returns the button that copies the program. The button lies over the program unless the caller
+   * lays it out elsewhere.
+   */
   CopyButton copyButton() {
     return copy;
   }
 
   /**
-   * Flies the drone that takes commands at some addresses.
+   * Sets the addresses at which the drone accepts commands; the program uses the most useful one.
    *
-   * @return the address that it uses
+   * @return the address that the program uses, as users type it
    */
-  public InetSocketAddress fly(List<InetSocketAddress> addresses) {
+  public String fly(List<InetSocketAddress> addresses) {
     InetSocketAddress address = AddressList.mostUsefulFirst(addresses).get(0);
     program.setText(python(address));
-    return address;
+    return AddressList.text(address);
   }
 
-  /** The program for djitellopy, whose lines the README has, too. */
+  /** Returns the program for djitellopy. The README contains the same lines. */
   static String python(InetSocketAddress address) {
     return String.format(
         Locale.ROOT,

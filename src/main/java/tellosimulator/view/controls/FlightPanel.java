@@ -3,45 +3,48 @@ package tellosimulator.view.controls;
 import atlantafx.base.controls.Spacer;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
+import javafx.scene.control.Label;
 import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
-import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.math.Frames;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.Control;
-import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
-import tellosimulator.view.model.SimulatorActions;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**
- * What the selected drone is doing: its phase in words, battery, instruments and numbers. For the
- * JavaFX thread.
+ * Shows the phase, battery and motion of the selected drone, as instruments and numbers. Confined
+ * to the JavaFX thread.
  */
 final class FlightPanel extends VBox {
 
-  /** Size of the round instruments [px]; two and the height bar fill the panel's width. */
+  /**
+   * Size of the round instruments [px]. Two of them and the height bar fill the width of the panel.
+   */
   private static final double DIAL = 94;
 
   private static final int NUMBERS_IN_A_ROW = 4;
 
-  /** Width of a column of numbers [%]; the last one has a longer name and gets the rest. */
+  /**
+   * Width of a column of numbers [%]. The last column takes the rest, because its name is longer.
+   */
   private static final double NARROW = 22;
 
   private final FxSimulation simulation;
-  private final SimulatorActions actions;
   private final Messages messages;
-  private final PhaseLabel phase = new PhaseLabel();
+  private final PhaseLabel phase = Nodes.named(new PhaseLabel(), "phase");
   private final BatteryGauge battery;
-  private final Button charge = new Button();
+  private final Button charge;
   private final AttitudeIndicator attitude;
   private final Compass compass;
   private final HeightBar height;
@@ -49,7 +52,6 @@ final class FlightPanel extends VBox {
 
   FlightPanel(ViewContext context) {
     simulation = context.simulation();
-    actions = context.actions();
     messages = context.language().messages(FlightPanel.class);
     battery = new BatteryGauge(messages);
     attitude = new AttitudeIndicator(messages, DIAL);
@@ -57,42 +59,34 @@ final class FlightPanel extends VBox {
     height = new HeightBar(messages, DIAL);
     numbers =
         List.of(
-            number("x", FxDroneModel::xCmProperty),
-            number("y", FxDroneModel::yCmProperty),
-            number("z", FxDroneModel::zCmProperty),
-            number("speed", FxDroneModel::speedCmProperty),
-            number("yaw", FxDroneModel::yawDegProperty),
-            number("pitch", FxDroneModel::pitchDegProperty),
-            number("roll", FxDroneModel::rollDegProperty),
-            number("flight-time", FlightPanel::motorTime));
-    initializeSelf();
-    initializeParts();
+            number("x", FxDroneModel::xCm),
+            number("y", FxDroneModel::yCm),
+            number("z", FxDroneModel::zCm),
+            number("speed", FxDroneModel::speedCm),
+            number("yaw", FxDroneModel::yawDeg),
+            number("pitch", FxDroneModel::pitchDeg),
+            number("roll", FxDroneModel::rollDeg),
+            number(
+                "flight-time",
+                drone -> drone.snapshotProperty().get().state().energy().motorTime()));
+    charge =
+        Nodes.iconButton(
+            "battery-charge", Feather.BATTERY_CHARGING, messages.text("battery.charge"));
+    charge.setOnAction(
+        pressed ->
+            context
+                .actions()
+                .carryOut(new Control.SetBattery(simulation.selected().number(), 100)));
+    Nodes.styled(this, "panel-section", "flight-panel");
     layoutParts();
-    setupEventHandlers();
     setupBindings();
   }
 
-  private void initializeSelf() {
-    getStyleClass().addAll("panel-section", "flight-panel");
-  }
-
-  private void initializeParts() {
-    phase.setId("phase");
-    phase.setMinWidth(USE_PREF_SIZE);
-    charge.setId("battery-charge");
-    charge.setGraphic(new FontIcon(Feather.BATTERY_CHARGING));
-    charge.getStyleClass().addAll("icon-button");
-    Tooltips.install(charge, messages.text("battery.charge"));
-    charge.accessibleTextProperty().bind(messages.text("battery.charge"));
-  }
-
   private void layoutParts() {
-    HBox head = new HBox(4, phase, new Spacer(), battery, charge);
+    HBox head = new HBox(4, Nodes.unshrinkable(phase), new Spacer(), battery, charge);
     head.setAlignment(Pos.CENTER_LEFT);
-    HBox dials = new HBox(attitude, compass, height);
-    dials.getStyleClass().add("dials");
-    GridPane table = new GridPane();
-    table.getStyleClass().add("numbers");
+    HBox dials = Nodes.styled(new HBox(attitude, compass, height), "dials");
+    GridPane table = Nodes.styled(new GridPane(), "numbers");
     for (int i = 0; i < NUMBERS_IN_A_ROW; i++) {
       ColumnConstraints column = new ColumnConstraints();
       column.setPercentWidth(
@@ -105,45 +99,62 @@ final class FlightPanel extends VBox {
     getChildren().addAll(head, dials, table);
   }
 
-  private void setupEventHandlers() {
-    charge.setOnAction(
-        pressed -> actions.carryOut(new Control.SetBattery(simulation.selected().number(), 100)));
-  }
-
   private void setupBindings() {
-    battery.percentProperty().bind(selected(FxDroneModel::batteryPercentProperty));
-    attitude.pitchDegProperty().bind(selected(FxDroneModel::pitchDegProperty));
-    attitude.rollDegProperty().bind(selected(FxDroneModel::rollDegProperty));
-    compass.yawDegProperty().bind(selected(FxDroneModel::yawDegProperty));
-    height.heightCmProperty().bind(selected(FxDroneModel::zCmProperty));
-    height.ceilingCmProperty().bind(simulation.roomProperty().map(room -> room.height() * 100));
-    ObservableValue<FlightPhase> present = selected(FxDroneModel::phaseProperty);
-    present.addListener((property, before, now) -> show(now));
-    show(present.getValue());
+    simulation
+        .selected(FxDroneModel::snapshotProperty)
+        .subscribe(snapshot -> show(simulation.selected()));
+    simulation.roomProperty().subscribe(room -> show(simulation.selected()));
+    simulation.selected(FxDroneModel::phaseProperty).subscribe(this::showPhase);
   }
 
-  private void show(FlightPhase now) {
+  private void show(FxDroneModel drone) {
+    battery.show(drone.snapshotProperty().get().state().energy().battery().percent());
+    attitude.show(drone.pitchDeg(), drone.rollDeg());
+    compass.show(drone.yawDeg());
+    height.show(drone.zCm(), Frames.centimeters(simulation.roomProperty().get().height()));
+    numbers.forEach(number -> number.show(drone));
+  }
+
+  private void showPhase(FlightPhase now) {
     phase.textProperty().bind(messages.text(keyOf(now)));
     phase.show(now);
   }
 
-  /** The key of a phase's words. */
+  /** Returns the key of a phase's text. */
   static String keyOf(FlightPhase phase) {
     return "phase." + phase.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
-  private Readout number(String id, Function<FxDroneModel, ObservableValue<Number>> part) {
-    Readout readout = new Readout(id, messages.text("number." + id));
-    readout.valueProperty().bind(selected(part));
-    return readout;
+  private Readout number(String id, ToDoubleFunction<FxDroneModel> value) {
+    return new Readout(id, messages.text("number." + id), value);
   }
 
-  private static ObservableValue<Number> motorTime(FxDroneModel drone) {
-    return drone.snapshotProperty().map(snapshot -> snapshot.state().energy().motorTime());
-  }
+  /** A number without decimals, with its name and unit above it. Confined to the JavaFX thread. */
+  private static final class Readout extends VBox {
 
-  private <T> ObservableValue<T> selected(
-      Function<FxDroneModel, ? extends ObservableValue<? extends T>> part) {
-    return simulation.selectedProperty().flatMap(part);
+    private final Label number = Nodes.styled(new Label("0"), "number");
+    private final ToDoubleFunction<FxDroneModel> value;
+    private long shown;
+
+    /**
+     * @param id the id of the label with the number
+     */
+    Readout(String id, ObservableValue<String> name, ToDoubleFunction<FxDroneModel> value) {
+      this.value = value;
+      Nodes.styled(this, "readout");
+      Label caption = Nodes.styled(new Label(), "caption");
+      caption.textProperty().bind(name);
+      caption.setLabelFor(number);
+      number.setId(id);
+      getChildren().addAll(caption, Nodes.unshrinkable(number));
+    }
+
+    void show(FxDroneModel drone) {
+      long whole = Math.round(value.applyAsDouble(drone));
+      if (whole != shown) {
+        shown = whole;
+        number.setText(Long.toString(whole));
+      }
+    }
   }
 }

@@ -6,6 +6,7 @@ import javafx.geometry.Orientation;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.model.LastCommand.Outcome;
 import tellosimulator.view.model.LastCommand.Shown;
 import tellosimulator.view.model.ViewContext;
@@ -13,15 +14,18 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * The command that the drones were told last, and what became of it. Not there before the first
- * one. Takes no mouse. For the JavaFX thread.
+ * A row that shows the latest command to any drone and its outcome. The row is invisible before the
+ * first command, and ignores the mouse. Confined to the JavaFX thread.
  */
 public final class LastCommandRow extends HBox {
 
   private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
   private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
 
-  /** Silence after which it is said how old the command is [s]. Decided: no pause of a program. */
+  /**
+   * Time without commands after which the age of the last one is shown [simulated s]. Decided:
+   * longer than the usual pauses of a program.
+   */
   private static final double SILENCE = 20;
 
   private final ViewContext context;
@@ -33,40 +37,33 @@ public final class LastCommandRow extends HBox {
   private final Label heard = new Label();
 
   /**
-   * @param id that of the row; its labels have it with {@code -text}, {@code -outcome} and {@code
-   *     -reason}
-   * @param explanation where it says why a command failed: beside the rest, or below it
+   * @param id the id of the row; the ids of its labels are this id followed by {@code -text},
+   *     {@code -outcome}, {@code -reason} and {@code -heard}
+   * @param explanation where the reason for a failure is shown: beside the other labels if
+   *     horizontal, below them if vertical
    */
   public LastCommandRow(ViewContext context, String id, Orientation explanation) {
     this.context = context;
     language = context.language();
     messages = language.messages(LastCommandRow.class);
-    setId(id);
-    getStyleClass().add("last-command");
+    Nodes.named(this, id, "last-command");
     setMouseTransparent(true);
-    managedProperty().bind(visibleProperty());
-    command.setId(id + "-text");
-    command.getStyleClass().add("command");
-    outcome.setId(id + "-outcome");
-    outcome.getStyleClass().add("outcome");
-    outcome.setMinWidth(USE_PREF_SIZE);
-    reason.setId(id + "-reason");
-    reason.getStyleClass().add("reason");
+    Nodes.collapsible(this);
+    Nodes.named(command, id + "-text", "command");
+    Nodes.named(Nodes.unshrinkable(outcome), id + "-outcome", "outcome");
+    Nodes.named(reason, id + "-reason", "reason");
     reason.setMinWidth(0);
-    heard.setId(id + "-heard");
-    heard.getStyleClass().add("reason");
-    heard.setMinWidth(USE_PREF_SIZE);
+    Nodes.named(Nodes.unshrinkable(heard), id + "-heard", "reason");
     heard.managedProperty().bind(heard.textProperty().isNotEmpty());
     if (explanation == Orientation.HORIZONTAL) {
       getChildren().addAll(command, outcome, reason, heard);
     } else {
       reason.setWrapText(true);
-      HBox said = new HBox(command, outcome, heard);
-      said.getStyleClass().add("said");
+      HBox said = Nodes.styled(new HBox(command, outcome, heard), "said");
       getChildren().add(new VBox(said, reason));
     }
     show(Optional.empty());
-    context.pulse().onBeat(nanos -> show(context.lastCommand().newest()));
+    context.ticker().onTick(nanos -> show(context.lastCommand().newest()));
   }
 
   private void show(Optional<Shown> newest) {
@@ -87,7 +84,10 @@ public final class LastCommandRow extends HBox {
         heard(context.lastCommand().silence(context.simulation().secondsProperty().get())));
   }
 
-  /** How long ago something was heard, in steps in which an idle window need not be drawn often. */
+  /**
+   * Formats the time since the last command. The steps are coarse, so that an idle window is seldom
+   * redrawn.
+   */
   private String heard(double silence) {
     if (silence < SILENCE) {
       return "";

@@ -6,6 +6,7 @@ import javafx.beans.value.ObservableValue;
 import javafx.css.PseudoClass;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.shape.Circle;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
@@ -14,17 +15,19 @@ import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**
- * Says where the selected drone takes commands and whether an operator is there, with a lamp; shows
- * and hides the panel that says more. For the JavaFX thread.
+ * A button that shows and hides the network panel. It displays the address at which the selected
+ * drone accepts commands, and a lamp that shows the state of the connection. Confined to the JavaFX
+ * thread.
  */
 public final class LinkButton extends ToggleButton {
 
-  /** Time between two looks at the address [ns]. Decided: four a second. */
+  /** Time between two updates of the address [ns]. Decided: four updates a second. */
   private static final long PERIOD_NANOS = 250_000_000;
 
   /**
-   * Least width [px]: words of buttons beside it do not come and go with a program. Measured: what
-   * an address of this machine and the longest state need.
+   * Minimum width [px]. It prevents the labels of other buttons from appearing and disappearing
+   * when a program connects. Measured: the width of the button with an address of this machine and
+   * the longest text for a state.
    */
   private static final double LEAST_WIDTH = 206;
 
@@ -34,29 +37,24 @@ public final class LinkButton extends ToggleButton {
   private final FxSimulation simulation;
   private final SimulatorActions actions;
   private final ReadOnlyStringWrapper address = new ReadOnlyStringWrapper("");
-  private final DrawingClock clock;
 
   /**
-   * @param panelShown whether the panel that says more is there
+   * @param panelShown whether the network panel is shown
    */
   public LinkButton(ViewContext context, Property<Boolean> panelShown) {
     simulation = context.simulation();
     actions = context.actions();
-    clock = new DrawingClock(simulation, PERIOD_NANOS);
     Messages messages = context.language().messages(LinkButton.class);
-    setId("show-network");
-    getStyleClass().add("link-button");
-    Circle lamp = new Circle(RADIUS);
-    lamp.getStyleClass().add("lamp");
-    setGraphic(lamp);
+    Nodes.named(this, "show-network", "link-button");
+    setGraphic(Nodes.styled(new Circle(RADIUS), "lamp"));
     selectedProperty().bindBidirectional(panelShown);
     Tooltips.install(this, messages.text("link.hint"));
-    ObservableValue<LinkState> state =
-        simulation.selectedProperty().flatMap(FxDroneModel::snapshotProperty).map(LinkState::of);
+    ObservableValue<ConnectionState> state =
+        simulation.selected(FxDroneModel::snapshotProperty).map(ConnectionState::of);
     textProperty().bind(state.flatMap(now -> messages.text("link." + now.key(), address)));
     state.subscribe(this::light);
     simulation.selectedProperty().subscribe(this::refresh);
-    context.pulse().onBeat(this::beat);
+    DrawingClock.run(context, PERIOD_NANOS, this::refresh);
   }
 
   @Override
@@ -64,21 +62,14 @@ public final class LinkButton extends ToggleButton {
     return Math.max(LEAST_WIDTH, super.computePrefWidth(height));
   }
 
-  private void light(LinkState now) {
-    for (LinkState state : LinkState.values()) {
+  private void light(ConnectionState now) {
+    for (ConnectionState state : ConnectionState.values()) {
       pseudoClassStateChanged(PseudoClass.getPseudoClass(state.key()), state == now);
-    }
-  }
-
-  private void beat(long nanos) {
-    if (clock.due(nanos) && !actions.pending()) {
-      clock.take(nanos);
-      refresh();
     }
   }
 
   private void refresh() {
     int drone = simulation.selected().number();
-    address.set(AddressList.text(AddressList.mostUsefulFirst(actions.addresses(drone)).get(0)));
+    address.set(AddressList.mostUseful(actions.addresses(drone)));
   }
 }

@@ -10,70 +10,53 @@ import javafx.scene.shape.Line;
 import javafx.scene.shape.Polygon;
 import javafx.scene.shape.Polyline;
 import javafx.scene.shape.Rectangle;
+import tellosimulator.view.fx.Nodes;
 
 /**
- * A small chart of the last minute of simulated time. For the JavaFX thread.
+ * A small chart of a value over the last minute of simulated time. Confined to the JavaFX thread.
  *
- * <p>Its owner shows a {@link TimeSeries} as often as it likes, but few times a second are enough.
+ * <p>The owner decides how often to call {@link #show}; a few times a second is enough.
  */
 final class LiveChart extends Region {
 
   private static final double TITLE_HEIGHT = 16;
   private static final double AXIS_HEIGHT = 15;
 
-  /** A lower chart has no axis, but more of the curve [px]. Decided. */
+  /** Height below which the chart has no axis [px]. Decided: the curve needs the space. */
   private static final double LEAST_WITH_AXIS = 80;
 
-  private final Label title = new Label();
+  private final Label title = Nodes.styled(new Label(), "caption");
   private final Label highest = new Label();
   private final Label oldest = new Label();
   private final Label newest = new Label();
-  private final Rectangle plot = new Rectangle();
-  private final Line half = new Line();
-  private final Polygon area = new Polygon();
-  private final Polyline curve = new Polyline();
+  private final Rectangle plot = Nodes.styled(new Rectangle(), "plot");
+  private final Line half = Nodes.styled(new Line(), "gridline");
+  private final Polygon area = Nodes.styled(new Polygon(), "area");
+  private final Polyline curve = Nodes.styled(new Polyline(), "curve");
   private final double leastTop;
   private double top;
   private TimeSeries samples = new TimeSeries();
   private double nowSeconds;
 
   /**
-   * @param leastTop smallest value at the top of the scale, which grows when it must
+   * @param leastTop the minimum value at the upper end of the scale; the scale grows when necessary
    */
   LiveChart(String id, ObservableValue<String> caption, double leastTop) {
     this.leastTop = leastTop;
     this.top = leastTop;
     title.textProperty().bind(caption);
-    setId(id);
-    initializeSelf();
-    initializeParts();
-    layoutParts();
-  }
-
-  private void initializeSelf() {
-    getStyleClass().add("live-chart");
+    Nodes.named(this, id, "live-chart");
     setMinSize(60, 44);
     setPrefSize(76, 66);
-  }
-
-  private void initializeParts() {
-    title.getStyleClass().add("caption");
     List.of(highest, oldest, newest).forEach(label -> label.getStyleClass().add("axis-text"));
     oldest.setText("\u2212" + NumberText.whole(TimeSeries.SPAN) + " s");
     newest.setText("0");
     highest.setText(NumberText.whole(top));
-    plot.getStyleClass().add("plot");
-    half.getStyleClass().add("gridline");
-    area.getStyleClass().add("area");
-    curve.getStyleClass().add("curve");
     List.of(plot, half, area, curve).forEach(shape -> shape.setManaged(false));
-  }
-
-  private void layoutParts() {
     getChildren().addAll(plot, half, area, curve, highest, title, oldest, newest);
   }
 
-  /** Names the moment at the right edge. */
+  /** Sets the text of the time label at the right edge of the chart. */
   void setNewest(ObservableValue<String> text) {
     newest.textProperty().bind(text);
   }
@@ -81,7 +64,7 @@ final class LiveChart extends Region {
   /**
    * Shows samples.
    *
-   * @param seconds the moment at the right edge, in simulated time [s]
+   * @param seconds the simulated time at the right edge [s]
    */
   void show(TimeSeries ring, double seconds) {
     samples = ring;

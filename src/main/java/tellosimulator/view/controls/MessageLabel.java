@@ -2,10 +2,13 @@ package tellosimulator.view.controls;
 
 import java.util.Optional;
 import javafx.scene.control.Label;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.text.Message;
 import tellosimulator.view.text.Messages;
 
-/** A label for a message about the control above it; it takes no room while there is none. */
+/**
+ * A label for a message about the control above it; it takes no space while there is no message.
+ */
 final class MessageLabel extends Label {
 
   private final Messages messages;
@@ -16,16 +19,12 @@ final class MessageLabel extends Label {
    */
   public MessageLabel(Messages messages, String id, String styleClass) {
     this.messages = messages;
-    setId(id);
-    getStyleClass().addAll("sentence", styleClass);
-    setWrapText(true);
+    Nodes.wrapping(Nodes.named(this, id, "sentence", styleClass));
     setMaxWidth(Double.MAX_VALUE);
-    setMinHeight(USE_PREF_SIZE);
-    visibleProperty().bind(textProperty().isNotEmpty());
-    managedProperty().bind(visibleProperty());
+    Nodes.showIf(this, textProperty().isNotEmpty());
   }
 
-  /** Says it, or nothing. */
+  /** Shows a message, or hides the label. */
   void say(Optional<Message> problem) {
     if (problem.equals(said)) {
       return;

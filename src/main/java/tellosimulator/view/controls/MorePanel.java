@@ -8,14 +8,14 @@ import java.util.Locale;
 import java.util.Optional;
 import javafx.scene.control.Button;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.scenario.Quantity;
 import tellosimulator.scenery.texture.ImageFile;
 import tellosimulator.sim.Control;
-import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.SimulatorActions;
 import tellosimulator.view.model.ViewContext;
@@ -28,16 +28,20 @@ import tellosimulator.world.Surface;
 import tellosimulator.world.Walls;
 
 /**
- * What one seldom changes: the selected drone's battery, the looks of the walls, and what a flight
- * begins with. Folded until somebody wants it. For the JavaFX thread.
+ * The panel for rarely changed values: the selected drone's battery, the appearance of the walls,
+ * and the settings for a new run. Folded by default. Confined to the JavaFX thread.
  */
 final class MorePanel extends Card {
 
-  private static final NumberRange PERCENT = new NumberRange(0, 100, 1);
+  private static final NumberRange PERCENT = new NumberRange(Quantity.BATTERY_PERCENT, 1);
 
-  /** Where a new poster hangs, and how wide it is [m]. Decided: as high as drones hover. */
+  /**
+   * Height of the middle of a new poster above the floor [m]. Decided: the height at which drones
+   * hover.
+   */
   private static final double POSTER_HEIGHT = 1;
 
+  /** Width of a new poster [m]. */
   private static final double POSTER_WIDTH = 0.6;
 
   private final FxSimulation simulation;
@@ -45,8 +49,8 @@ final class MorePanel extends Card {
   private final Messages messages;
   private final NumberSlider battery;
   private final SegmentedButton<Walls> walls;
-  private final Button hang = new Button("", new FontIcon(Feather.IMAGE));
-  private final Button takeDown = new Button("", new FontIcon(Feather.TRASH_2));
+  private final Button hang;
+  private final Button takeDown;
   private final MessageLabel diagnostic;
 
   MorePanel(ViewContext context) {
@@ -62,54 +66,48 @@ final class MorePanel extends Card {
             List.of(walls(Walls.AUTO), walls(Walls.TEXTURED), walls(Walls.PLAIN)),
             this::paper);
     diagnostic = new MessageLabel(messages, "poster-error", "danger");
-    initializeParts();
+    hang =
+        Nodes.button(
+            "poster-hang",
+            Feather.IMAGE,
+            messages.text("poster.hang"),
+            messages.text("poster.hang.hint"));
+    takeDown = new Button("", new FontIcon(Feather.TRASH_2));
+    Nodes.described(Nodes.named(takeDown, "poster-take-down"), messages.text("poster.take-down"));
     layoutParts(new StartPanel(context));
-    setupEventHandlers();
-    context.pulse().onBeat(nanos -> beat());
+    hang.setOnAction(pressed -> choosePoster());
+    takeDown.setOnAction(pressed -> takeDown());
+    simulation.selectedProperty().addListener(changed -> battery.forgetTyped());
+    context.ticker().onTick(nanos -> beat());
     foldingProperty().set(Folding.FOLDED);
   }
 
   private SegmentedButton.Option<Walls> walls(Walls value) {
-    String key = "walls." + value.name().toLowerCase(Locale.ROOT);
-    return new SegmentedButton.Option<>(
-        value,
-        value.name().toLowerCase(Locale.ROOT),
-        messages.text(key),
-        messages.text(key + ".hint"));
-  }
-
-  private void initializeParts() {
-    hang.setId("poster-hang");
-    hang.textProperty().bind(messages.text("poster.hang"));
-    hang.setMaxWidth(Double.MAX_VALUE);
-    Tooltips.install(hang, messages.text("poster.hang.hint"));
-    takeDown.setId("poster-take-down");
-    takeDown.accessibleTextProperty().bind(messages.text("poster.take-down"));
-    Tooltips.install(takeDown, messages.text("poster.take-down"));
+    String id = value.name().toLowerCase(Locale.ROOT);
+    return SegmentedButton.Option.of(messages, "walls", value, id);
   }
 
   private void layoutParts(StartPanel start) {
-    HBox.setHgrow(hang, Priority.ALWAYS);
-    HBox posters = new HBox(hang, takeDown);
-    posters.getStyleClass().add("row");
+    HBox posters = Nodes.styled(new HBox(Nodes.growing(hang), takeDown), "row");
     layoutCard(battery, walls, posters, diagnostic, start);
   }
 
-  private void setupEventHandlers() {
-    hang.setOnAction(pressed -> choosePoster());
-    takeDown.setOnAction(pressed -> takeDown());
-    simulation.selectedProperty().addListener(changed -> battery.forgetTyped());
+  /**
+   * Sends a change if there is one, and otherwise shows the current values. The display is not
+   * updated while actions are pending, because the values are then outdated.
+   */
+  private void beat() {
+    NumberSlider.advance(
+        actions,
+        () -> new Control.SetBattery(simulation.selected().number(), battery.value()),
+        this::show,
+        battery);
   }
 
-  /** What the simulation does not have yet is not shown as it was before. */
-  private void beat() {
-    if (battery.takeChange()) {
-      actions.carryOut(new Control.SetBattery(simulation.selected().number(), battery.value()));
-    } else if (!actions.pending()) {
-      battery.show(Math.rint(simulation.selected().batteryPercentProperty().get()));
-      walls.show(decor().walls());
-      takeDown.setDisable(decor().posters().isEmpty());
-    }
+  private void show() {
+    battery.show(Math.rint(simulation.selected().batteryPercentProperty().get()));
+    walls.show(decor().walls());
+    takeDown.setDisable(decor().posters().isEmpty());
   }
 
   private void paper(Walls wanted) {
@@ -129,7 +127,7 @@ final class MorePanel extends Card {
         .ifPresent(this::hang);
   }
 
-  /** Hangs an image on the front wall, in front of those that hang there. */
+  /** Hangs an image on the front wall as a poster, in front of earlier posters. */
   void hang(String picture) {
     try {
       ImageFile.check(picture);
@@ -143,7 +141,7 @@ final class MorePanel extends Card {
     actions.carryOut(new Control.Decorate(decor().withPosters(posters)));
   }
 
-  /** Takes down the one that was hung last. */
+  /** Removes the latest poster. */
   private void takeDown() {
     List<Poster> posters = decor().posters();
     if (!posters.isEmpty()) {

@@ -1,13 +1,16 @@
 package tellosimulator.view.controls;
 
-/** Nice numbers for axis labels: 1, 2 or 5 times a power of ten. */
+/** Round numbers for axis labels: 1, 2 or 5 times a power of ten. */
 final class NiceNumber {
 
   private static final double[] MANTISSAS = {1, 2, 5, 10};
 
   private NiceNumber() {}
 
-  /** The smallest 1, 2 or 5 times a power of ten that is not below {@code value}. */
+  /**
+   * Returns the smallest round number that is not less than {@code value}; 1 if {@code value} is
+   * not positive.
+   */
   static double atLeast(double value) {
     if (!(value > 0)) {
       return 1;

@@ -13,9 +13,9 @@ import tellosimulator.view.text.Message;
 import tellosimulator.view.text.Messages;
 
 /**
- * A field for a number. Enter, leaving the field and the arrow keys up and down hand over what was
- * typed; Escape brings the old number back. What is wrong is marked, with a sentence, and goes
- * nowhere. For the JavaFX thread.
+ * A field for a number. Enter, leaving the field, and the up and down arrow keys commit the number;
+ * Escape restores the previous one. An invalid number is not committed; it is marked and explained
+ * by a message. Confined to the JavaFX thread.
  */
 public final class NumberField extends TextField {
 
@@ -26,10 +26,10 @@ public final class NumberField extends TextField {
   private DoubleConsumer taker = number -> {};
   private double shown = Double.NaN;
 
-  /** Whether there is text in it that was not handed over. */
+  /** Whether the field contains uncommitted text. */
   private boolean edited;
 
-  /** Whether the text changes because {@link #show} shows a number. */
+  /** Whether the text is changing because {@link #show} shows a number. */
   private boolean showing;
 
   public NumberField(String id, NumberRange range, Language language) {
@@ -79,12 +79,15 @@ public final class NumberField extends TextField {
             });
   }
 
-  /** Takes who gets each new number. */
+  /** Sets the listener that receives each new number. */
   public void onNumber(DoubleConsumer newTaker) {
     taker = newTaker;
   }
 
-  /** Takes what else makes a number wrong. */
+  /**
+   * Sets an additional rule that numbers must satisfy. The rule returns the error message for a
+   * number; empty if the number is valid.
+   */
   void setRule(DoubleFunction<Optional<Message>> newRule) {
     rule = newRule;
   }
@@ -96,17 +99,17 @@ public final class NumberField extends TextField {
     }
   }
 
-  /** The sentence about what is wrong, to be laid out below. */
+  /** Returns the label for the error message, to be laid out below the field. */
   public MessageLabel error() {
     return error;
   }
 
-  /** What was shown or handed over last. */
+  /** Returns the number that was last shown or committed. */
   double number() {
     return shown;
   }
 
-  /** Shows a number, unless somebody is typing another one. */
+  /** Shows a number, unless the user is typing. */
   public void show(double number) {
     if (number != shown) {
       shown = number;
@@ -116,7 +119,7 @@ public final class NumberField extends TextField {
     }
   }
 
-  /** Shows the number again, whatever was typed. */
+  /** Shows the number again and discards any typed text. */
   void restore() {
     edited = false;
     mark(Optional.empty());
@@ -164,7 +167,7 @@ public final class NumberField extends TextField {
     }
   }
 
-  /** Something marked loses its mark as soon as it is right, but is handed over later. */
+  /** Removes the error mark as soon as the number is valid. The number is committed later. */
   private void recheck() {
     if (error.isVisible()) {
       mark(problem());

@@ -1,11 +1,13 @@
 package tellosimulator.view.controls;
 
+import tellosimulator.scenario.Quantity;
+
 /**
- * Which numbers a field or a slider takes. Immutable.
+ * The valid numbers of a field or a slider. Immutable.
  *
- * @param least the smallest
- * @param most the largest, not below {@code least}
- * @param step by how much an arrow key changes the number
+ * @param least the minimum
+ * @param most the maximum, not less than {@code least}
+ * @param step the amount by which an arrow key changes the number
  */
 public record NumberRange(double least, double most, double step) {
 
@@ -16,16 +18,24 @@ public record NumberRange(double least, double most, double step) {
     }
   }
 
+  /** Creates the range of a quantity, in the unit that scenario files use. */
+  public NumberRange(Quantity quantity, double step) {
+    this(quantity.least(), quantity.most(), step);
+  }
+
   public boolean contains(double value) {
     return value >= least && value <= most;
   }
 
-  /** The number of the range that is nearest. */
+  /** Returns a value after limiting it to the range. */
   public double nearest(double value) {
     return Math.max(least, Math.min(most, value));
   }
 
-  /** The nearest multiple of the step, or the end of the range that was reached. */
+  /**
+   * Returns the nearest multiple of the step. A value at or beyond an end of the range gives that
+   * end.
+   */
   public double snapped(double value) {
     if (value <= least || value >= most) {
       return nearest(value);
@@ -34,7 +44,7 @@ public record NumberRange(double least, double most, double step) {
   }
 
   /**
-   * The multiple of the step that comes next.
+   * Returns the next multiple of the step, limited to the range.
    *
    * @param direction 1 for up, -1 for down
    */

@@ -1,22 +1,26 @@
 package tellosimulator.view.controls;
 
+import java.util.function.Supplier;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
+import tellosimulator.sim.Control;
+import tellosimulator.view.model.SimulatorActions;
 import tellosimulator.view.text.Language;
 
 /**
- * A number that is set with a slider or typed: name with unit, slider, and field. The field's id is
- * the slider's with {@code -value}, and that of the sentence about a wrong number with {@code
- * -value-error}.
+ * A slider and a text field that set the same number, with its name and unit above them. The id of
+ * the field is the id of the slider followed by {@code -value}; the id of the error message ends
+ * with {@code -value-error}.
  *
- * <p>It collects what a person does until its owner asks, at {@link #onChange} or once a pulse:
- * {@link #takeChange} says whether there is something new, {@link #value} is it, and at later
- * pulses {@link #show} puts what the simulation made of it. So a fast drag sends one message a
- * pulse, and what comes back never pulls the thumb away from the mouse. For the JavaFX thread.
+ * <p>The owner calls {@link #advance} once per pulse, and may also call it when notified by {@link
+ * #onChange}. If the user has changed the number since the last call, the new {@link #value} is
+ * sent to the simulation; otherwise, the value that the simulation has adopted is shown. During a
+ * fast drag, this sends at most one message per pulse, and the simulation's value never pulls the
+ * thumb away from the mouse. Confined to the JavaFX thread.
  */
 final class NumberSlider extends VBox {
 
@@ -27,15 +31,15 @@ final class NumberSlider extends VBox {
   private double value = Double.NaN;
   private boolean changed;
 
-  /** Is called when a person has set another number. */
+  /** Called when the user has set another number. */
   private Runnable changeListener = () -> {};
 
-  /** Whether the slider moves because {@link #show} moves it. */
+  /** Whether the slider is moving because of {@link #show}. */
   private boolean showing;
 
   /**
-   * @param id of the slider
-   * @param range what the slider reaches, and at first what the field takes
+   * @param id the id of the slider
+   * @param range the range of the slider, and initially also of the field
    */
   NumberSlider(String id, ObservableValue<String> caption, NumberRange range, Language language) {
     this.field = new NumberField(id + "-value", range, language);
@@ -91,35 +95,58 @@ final class NumberSlider extends VBox {
     field.onNumber(this::take);
   }
 
-  /** Lets the slider reach another range, of which the field takes every number. */
+  /** Sets the range of both slider and field. */
   void setRange(NumberRange range) {
-    setSliderRange(range);
     field.setRange(range);
+    if (!range.equals(sliderRange)) {
+      sliderRange = range;
+      adopt(range);
+    }
   }
 
-  /** Lets the field take more than the slider reaches. */
+  /** Sets the range of the field only. The field's range may exceed the slider's. */
   void setFieldRange(NumberRange range) {
     field.setRange(range);
   }
 
-  /** What a person set, or what was shown last. */
+  /**
+   * Returns the number that the user has set or that {@link #show} has shown, whichever was later.
+   */
   double value() {
     return value;
   }
 
-  /** Says at once that a person has set another number; the owner need not wait for a pulse. */
+  /**
+   * Sets a listener that is notified immediately when the user has set another number. The owner
+   * then need not wait for the next pulse.
+   */
   void onChange(Runnable listener) {
     changeListener = listener;
   }
 
-  /** Whether a person set a number since this was asked last. */
-  boolean takeChange() {
-    boolean was = changed;
-    changed = false;
-    return was;
+  /**
+   * Sends a control if the user has changed any of the sliders since the last call, and otherwise
+   * shows the current values. The display is not updated while actions are pending, because the
+   * values are then outdated.
+   *
+   * @param change creates the control
+   * @param show shows the current values of the simulation
+   */
+  static void advance(
+      SimulatorActions actions, Supplier<Control> change, Runnable show, NumberSlider... sliders) {
+    boolean changed = false;
+    for (NumberSlider slider : sliders) {
+      changed |= slider.changed;
+      slider.changed = false;
+    }
+    if (changed) {
+      actions.carryOut(change.get());
+    } else if (!actions.pending()) {
+      show.run();
+    }
   }
 
-  /** Shows what holds now. */
+  /** Shows the current value. */
   void show(double number) {
     if (number != value) {
       value = number;
@@ -128,17 +155,10 @@ final class NumberSlider extends VBox {
     }
   }
 
-  /** Drops what is typed and was not handed over. */
+  /** Discards typed text that has not been committed, and a change that has not been sent. */
   void forgetTyped() {
     changed = false;
     field.restore();
-  }
-
-  private void setSliderRange(NumberRange range) {
-    if (!range.equals(sliderRange)) {
-      sliderRange = range;
-      adopt(range);
-    }
   }
 
   private void adopt(NumberRange range) {

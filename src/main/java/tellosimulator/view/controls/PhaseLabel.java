@@ -4,7 +4,9 @@ import javafx.css.PseudoClass;
 import javafx.scene.control.Label;
 import tellosimulator.model.FlightPhase;
 
-/** What a drone is doing, in words and in a colour of its own. For the JavaFX thread. */
+/**
+ * A label for a drone's flight phase, in the colour of the phase. Confined to the JavaFX thread.
+ */
 final class PhaseLabel extends Label {
 
   private static final PseudoClass IN_THE_AIR = PseudoClass.getPseudoClass("in-the-air");
@@ -15,7 +17,7 @@ final class PhaseLabel extends Label {
     getStyleClass().add("phase");
   }
 
-  /** Takes the colour of a phase; the words are its owner's. */
+  /** Sets the colour of a phase; the owner sets the text. */
   void show(FlightPhase phase) {
     pseudoClassStateChanged(OFF, phase == FlightPhase.OFF);
     pseudoClassStateChanged(IN_THE_AIR, phase.motorsOn());

@@ -8,10 +8,10 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.view.text.Message;
 
-/** Which ports of a drone and of an operator go together. */
+/** Rules for the ports of a drone and of an operator. */
 final class PortRules {
 
-  /** The ports that there are. */
+  /** The valid ports. */
   static final NumberRange PORTS = new NumberRange(1, AddressPlan.HIGHEST_PORT, 1);
 
   private static final Set<Integer> LISTENING_PORTS =
@@ -19,7 +19,10 @@ final class PortRules {
 
   private PortRules() {}
 
-  /** State and video go to the same host, so they need different ports. */
+  /**
+   * Returns the error message if a port is not valid for a stream. State and video go to the same
+   * host, so they need different ports.
+   */
   static Optional<Message> streamPort(double port, int otherStreamPort) {
     if (port != Math.rint(port)) {
       return Optional.of(Message.of("port.whole"));
@@ -30,10 +33,11 @@ final class PortRules {
   }
 
   /**
-   * Two drones cannot listen on the same port of the same address.
+   * Returns the error message if a port is not valid as the command port. Two drones cannot listen
+   * on the same port of the same address.
    *
-   * @param own where this drone listens, on its old port
-   * @param others where each drone listens, in the order of their numbers, this one's empty
+   * @param own the addresses of this drone, with its current port
+   * @param others the addresses of each drone, in the order of drone numbers; empty for this drone
    */
   static Optional<Message> command(
       double port, List<InetSocketAddress> own, List<List<InetSocketAddress>> others) {
@@ -50,7 +54,7 @@ final class PortRules {
     return Optional.empty();
   }
 
-  /** What is possible, but works only if the operator program runs on another machine. */
+  /** Returns a warning if the command port works only for operator programs on other machines. */
   static Optional<Message> warning(int command, StreamPorts streamPorts) {
     if (command == AddressPlan.REAL_COMMAND_PORT) {
       return Optional.of(Message.of("port.operators", Integer.toString(command)));

@@ -4,12 +4,13 @@ import atlantafx.base.theme.Styles;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
+import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
-import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
@@ -19,8 +20,9 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * Where the selected drone takes commands, and where its state and video go; the ports can be
- * changed while it is off. For the JavaFX thread.
+ * Shows the addresses at which the selected drone accepts commands, and the ports to which it sends
+ * its state and video. The ports can be changed while the drone is off. Confined to the JavaFX
+ * thread.
  */
 final class PortsPanel extends Card {
 
@@ -36,7 +38,7 @@ final class PortsPanel extends Card {
   private final MessageLabel warning;
 
   /**
-   * @param changed is called when a person has chosen another port
+   * @param changed called when the user has changed a port or the reach of the drones
    */
   PortsPanel(ViewContext context, Runnable changed) {
     super("ports", context.language().messages(PortsPanel.class).text("heading.send"));
@@ -51,52 +53,43 @@ final class PortsPanel extends Card {
     state = new NumberField("state-port", PortRules.PORTS, language);
     video = new NumberField("video-port", PortRules.PORTS, language);
     warning = new MessageLabel(messages, "port-warning", Styles.WARNING);
-    initializeParts();
     layoutParts();
     setupEventHandlers();
     setupBindings();
     refresh();
   }
 
-  private void initializeParts() {
-    command.setRule(port -> PortRules.command(port, addresses(drone()), addressesOfOthers()));
-    state.setRule(port -> PortRules.streamPort(port, (int) video.number()));
-    video.setRule(port -> PortRules.streamPort(port, (int) state.number()));
-  }
-
   private void layoutParts() {
     layoutCard(
         addresses,
         reach,
-        row("command-port", command),
+        new FormRow(messages, "command-port", command),
         command.error(),
         warning,
         messages.label("heading.listen", "heading"),
-        row("state-port", state),
+        new FormRow(messages, "state-port", state),
         state.error(),
-        row("video-port", video),
+        new FormRow(messages, "video-port", video),
         video.error());
   }
 
   private void setupEventHandlers() {
+    command.setRule(port -> PortRules.command(port, addresses(drone()), addressesOfOthers()));
+    state.setRule(port -> PortRules.streamPort(port, (int) video.number()));
+    video.setRule(port -> PortRules.streamPort(port, (int) state.number()));
     command.onNumber(
-        port -> {
-          actions.setCommandPort(drone().number(), (int) port, this::afterChange);
-        });
+        port -> actions.setCommandPort(drone().number(), (int) port, this::afterChange));
     state.onNumber(port -> configure());
     video.onNumber(port -> configure());
   }
 
   private void setupBindings() {
-    simulation
-        .selectedProperty()
-        .flatMap(FxDroneModel::onProperty)
-        .addListener((property, before, now) -> restore());
+    simulation.selected(FxDroneModel::onProperty).addListener((property, before, now) -> restore());
     simulation.selectedProperty().addListener((property, before, now) -> restore());
     restore();
   }
 
-  /** Shows what holds now, apart from what somebody is typing. */
+  /** Shows the current values, except in fields that the user is editing. */
   void refresh() {
     List<InetSocketAddress> own = addresses(drone());
     addresses.show(own);
@@ -149,15 +142,40 @@ final class PortsPanel extends Card {
     return others;
   }
 
-  private HBox row(String key, NumberField field) {
-    Label name = messages.label(key, "caption");
-    name.setMaxWidth(Double.MAX_VALUE);
-    name.setLabelFor(field);
-    HBox.setHgrow(name, Priority.ALWAYS);
-    field.accessibleTextProperty().bind(name.textProperty());
-    HBox row = new HBox(name, field);
-    row.getStyleClass().add("row");
-    Tooltips.install(row, messages.text(key + ".hint"));
-    return row;
+  /**
+   * The switch that makes the drones reachable from other machines of the network, with a sentence
+   * about the consequences. Confined to the JavaFX thread.
+   */
+  private static final class ReachPanel extends VBox {
+
+    private final SimulatorActions actions;
+    private final CheckBox reachable = Nodes.named(new CheckBox(), "reachable");
+
+    /**
+     * @param changed notified when the user has used the switch
+     */
+    ReachPanel(ViewContext context, Runnable changed) {
+      this.actions = context.actions();
+      Messages messages = context.language().messages(ReachPanel.class);
+      reachable.textProperty().bind(messages.text("reach"));
+      Label sentence = Nodes.wrapping(Nodes.named(new Label(), "reach-sentence", "caption"));
+      sentence
+          .textProperty()
+          .bind(
+              reachable
+                  .selectedProperty()
+                  .flatMap(on -> messages.text(on ? "reach.open" : "reach.closed")));
+      Tooltips.install(this, messages.text("reach.hint"));
+      reachable.accessibleHelpProperty().bind(messages.text("reach.hint"));
+      getChildren().addAll(reachable, sentence);
+      reachable.setOnAction(
+          pressed -> actions.setReachableFromNetwork(reachable.isSelected(), changed));
+      refresh();
+    }
+
+    /** Shows the current value. */
+    void refresh() {
+      reachable.setSelected(actions.reachableFromNetwork());
+    }
   }
 }

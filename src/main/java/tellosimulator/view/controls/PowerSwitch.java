@@ -9,6 +9,7 @@ import javafx.scene.control.ToggleButton;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
@@ -18,7 +19,8 @@ import tellosimulator.view.text.Message;
 import tellosimulator.view.text.Messages;
 
 /**
- * The selected drone's power switch, and why it could not be switched on. For the JavaFX thread.
+ * The power switch of the selected drone. It also provides the reason why the drone could not be
+ * switched on. Confined to the JavaFX thread.
  */
 public final class PowerSwitch extends ToggleButton {
 
@@ -28,23 +30,18 @@ public final class PowerSwitch extends ToggleButton {
   private final ReadOnlyStringWrapper problem = new ReadOnlyStringWrapper(this, "problem", "");
 
   /**
-   * @param id by which the control is found in the window
+   * @param id the id of the control in the window
    */
   public PowerSwitch(ViewContext context, String id) {
     simulation = context.simulation();
     actions = context.actions();
     messages = context.language().messages(PowerSwitch.class);
-    setId(id);
-    getStyleClass().add("power");
+    Nodes.named(this, id, "power");
     setGraphic(new FontIcon(Feather.POWER));
     setMinHeight(USE_PREF_SIZE);
     Tooltips.install(this, messages.text("power.hint"));
     setOnAction(pressed -> use(isSelected()));
-    setupBindings();
-  }
-
-  private void setupBindings() {
-    ObservableValue<Boolean> on = simulation.selectedProperty().flatMap(FxDroneModel::onProperty);
+    ObservableValue<Boolean> on = simulation.selected(FxDroneModel::onProperty);
     textProperty().bind(on.flatMap(isOn -> messages.text(isOn ? "power.stop" : "power.start")));
     on.addListener((property, before, now) -> setSelected(now));
     setSelected(on.getValue());
@@ -64,12 +61,12 @@ public final class PowerSwitch extends ToggleButton {
         });
   }
 
-  /** A sentence that says why the drone could not be switched on; empty if it could. */
+  /** The reason why the drone could not be switched on, as a sentence; empty if it could. */
   public ReadOnlyStringProperty problemProperty() {
     return problem.getReadOnlyProperty();
   }
 
-  /** Whatever was wrong with the ports, they are others now. */
+  /** Clears the message, which is obsolete once the ports have changed. */
   public void forgetProblem() {
     say(Optional.empty());
   }

@@ -4,35 +4,32 @@ import java.util.List;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
+import tellosimulator.scenario.Quantity;
 import tellosimulator.sim.Control;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.SimulatorActions;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
-import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
- * The room's size, its grid, and where the selected drone starts; all in centimetres. What a person
- * changes goes to the simulation at once, or at the next pulse while it has something to do, and
- * what the simulation says is shown. For the JavaFX thread.
+ * Controls for the room's size, its grid, and the start of the selected drone, in centimetres.
+ * Changes are sent to the simulation immediately, or at the next pulse if actions are pending. The
+ * panel shows the values of the simulation. Confined to the JavaFX thread.
  */
 final class RoomPanel extends Card {
 
-  /** What a slider reaches [cm]. Decided: from the smallest room to a gym. */
-  private static final NumberRange SLIDER =
-      new NumberRange(Frames.centimeters(Room.SHORTEST), 2000, 10);
+  /**
+   * The range of the sliders for the size of the room [cm]. Decided: from the smallest room to a
+   * gym.
+   */
+  private static final NumberRange SLIDER = new NumberRange(Quantity.ROOM_EDGE.least(), 2000, 10);
 
-  private static final NumberRange FIELD =
-      new NumberRange(
-          Frames.centimeters(Room.SHORTEST), Frames.centimeters(Room.LONGEST), SLIDER.step());
+  private static final NumberRange FIELD = new NumberRange(Quantity.ROOM_EDGE, SLIDER.step());
 
-  /** Distance between the grid's lines [cm]. */
-  private static final NumberRange GRID =
-      new NumberRange(
-          Frames.centimeters(Decor.SMALLEST_GRID), Frames.centimeters(Decor.LARGEST_GRID), 5);
+  private static final NumberRange GRID = new NumberRange(Quantity.GRID, 5);
 
-  /** By how much an arrow key moves the start [cm]. */
+  /** The amount by which an arrow key moves the start [cm]. */
   private static final double START_STEP = 10;
 
   private final FxSimulation simulation;
@@ -57,7 +54,7 @@ final class RoomPanel extends Card {
     initializeParts();
     layoutCard(width, depth, height, grid, startX, startY);
     setupBindings(context);
-    context.pulse().onBeat(nanos -> beat());
+    context.ticker().onTick(nanos -> beat());
   }
 
   private static NumberSlider slider(ViewContext context, String id, NumberRange range) {
@@ -80,50 +77,34 @@ final class RoomPanel extends Card {
     context
         .scenario()
         .challengeProperty()
-        .subscribe(asked -> setUseful(asked.goals().isEmpty())); // a task has its own room
+        .subscribe(asked -> setUseful(asked.goals().isEmpty())); // goals depend on the room
   }
 
-  /** What was typed was meant for the other drone. */
+  /** Discards typed text, because it was meant for the previous drone. */
   private void forgetStart() {
     startX.forgetTyped();
     startY.forgetTyped();
     showStart();
   }
 
-  /** So that the next picture shows it already; a drag sends no more than that. */
+  /**
+   * Sends a change without waiting for the next pulse, so that the next frame shows it. Does
+   * nothing while actions are pending, so that a drag sends no additional messages.
+   */
   private void sendAtOnce() {
     if (!actions.pending()) {
       beat();
     }
   }
 
-  /** What the simulation does not have yet is not shown as it was before. */
+  /**
+   * Sends changes if there are any, and otherwise shows the current values. The display is not
+   * updated while actions are pending, because the values are then outdated.
+   */
   private void beat() {
-    if (changed(width, depth, height)) {
-      actions.carryOut(new Control.SetRoom(wantedRoom()));
-    } else if (!actions.pending()) {
-      showRoom();
-    }
-    if (changed(grid)) {
-      actions.carryOut(new Control.Decorate(wantedDecor()));
-    } else if (!actions.pending()) {
-      showGrid();
-    }
-    if (changed(startX, startY)) {
-      actions.carryOut(
-          new Control.SetStart(simulation.selected().number(), wantedStart(), startHeading()));
-    } else if (!actions.pending()) {
-      showStart();
-    }
-  }
-
-  /** Whether a person changed one of them; then all of them count as taken. */
-  private static boolean changed(NumberSlider... sliders) {
-    boolean changed = false;
-    for (NumberSlider slider : sliders) {
-      changed |= slider.takeChange();
-    }
-    return changed;
+    NumberSlider.advance(actions, this::wantedRoom, this::showRoom, width, depth, height);
+    NumberSlider.advance(actions, this::wantedDecor, this::showGrid, grid);
+    NumberSlider.advance(actions, this::wantedStart, this::showStart, startX, startY);
   }
 
   private void showRoom() {
@@ -144,28 +125,36 @@ final class RoomPanel extends Card {
     startY.show(Frames.centimeters(start.y()));
   }
 
-  private Room wantedRoom() {
-    return new Room(
-        Frames.meters(width.value()), Frames.meters(depth.value()), Frames.meters(height.value()));
+  private Control wantedRoom() {
+    return new Control.SetRoom(
+        new Room(
+            Frames.meters(width.value()),
+            Frames.meters(depth.value()),
+            Frames.meters(height.value())));
   }
 
-  private Decor wantedDecor() {
-    return simulation.decorProperty().get().withGrid(Frames.meters(grid.value()));
+  private Control wantedDecor() {
+    return new Control.Decorate(
+        simulation.decorProperty().get().withGrid(Frames.meters(grid.value())));
   }
 
-  private Vec3 wantedStart() {
-    return new Vec3(Frames.meters(startX.value()), Frames.meters(startY.value()), 0);
-  }
-
-  private double startHeading() {
-    return simulation.selected().startProperty().get().attitude().heading();
+  private Control wantedStart() {
+    return new Control.SetStart(
+        simulation.selected().number(),
+        new Vec3(Frames.meters(startX.value()), Frames.meters(startY.value()), 0),
+        simulation.selected().startProperty().get().attitude().heading());
   }
 
   private Room room() {
     return simulation.roomProperty().get();
   }
 
-  /** Where a drone can stand between two walls; rounded inwards to what a field shows. */
+  /**
+   * Returns the range of start positions between two opposite walls [cm], rounded inwards to the
+   * precision of a field.
+   *
+   * @param edge the distance between the walls [m]
+   */
   private static NumberRange startRange(double edge) {
     double reach = Frames.centimeters(edge / 2 - DroneSpec.COLLIDER.radius());
     double shown = Math.floor(reach * 10 + 1e-6) / 10;

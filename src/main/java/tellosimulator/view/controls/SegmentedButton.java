@@ -9,24 +9,31 @@ import javafx.scene.control.Toggle;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToggleGroup;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.text.Messages;
 
 /**
- * A choice of a few things as buttons beside each other, of which one is pressed. For the JavaFX
- * thread.
+ * A control with a few options as adjacent buttons, one of which is selected. Confined to the
+ * JavaFX thread.
  */
 final class SegmentedButton<T> extends HBox {
 
   /**
-   * One of the things.
+   * An option.
    *
-   * @param id of its button, behind the choice's id and a hyphen
-   * @param name what stands on the button
-   * @param hint what the button says about itself
+   * @param id the end of the button's id; the control's id and a hyphen precede it
+   * @param name the label of the button
+   * @param hint the tooltip of the button
    */
-  record Option<T>(
-      T value, String id, ObservableValue<String> name, ObservableValue<String> hint) {}
+  record Option<T>(T value, String id, ObservableValue<String> name, ObservableValue<String> hint) {
+
+    /** Returns an option whose texts have the keys {@code key.id} and {@code key.id.hint}. */
+    static <T> Option<T> of(Messages messages, String key, T value, String id) {
+      String name = key + "." + id;
+      return new Option<>(value, id, messages.text(name), messages.text(name + ".hint"));
+    }
+  }
 
   private final ToggleGroup group = new ToggleGroup();
   private final Consumer<T> taker;
@@ -35,7 +42,7 @@ final class SegmentedButton<T> extends HBox {
   private Optional<T> shown = Optional.empty();
 
   /**
-   * @param taker gets what a person chooses
+   * @param taker receives the option that the user has chosen
    */
   SegmentedButton(String id, List<Option<T>> options, Consumer<T> taker) {
     this.options = List.copyOf(options);
@@ -57,18 +64,19 @@ final class SegmentedButton<T> extends HBox {
   }
 
   private ToggleButton button(String id, Option<T> option) {
-    ToggleButton button = new ToggleButton();
-    button.setId(id + "-" + option.id());
+    ToggleButton button = Nodes.named(new ToggleButton(), id + "-" + option.id());
     button.textProperty().bind(option.name());
     button.setToggleGroup(group);
-    button.setMaxWidth(Double.MAX_VALUE);
-    HBox.setHgrow(button, Priority.ALWAYS);
+    Nodes.growing(button);
     Tooltips.install(button, option.hint());
-    button.setOnAction(pressed -> button.setSelected(true)); // one of them is always pressed
+    button.setOnAction(pressed -> button.setSelected(true)); // one of them is always selected
     return button;
   }
 
-  /** By click or by arrow key, which fires no action. */
+  /**
+   * Handles a selection by click or arrow key. Arrow keys select a button without firing its
+   * action.
+   */
   private void take(Toggle pressed) {
     int index = buttons.indexOf(pressed);
     if (index >= 0) {
@@ -80,7 +88,7 @@ final class SegmentedButton<T> extends HBox {
     }
   }
 
-  /** Presses the button of what holds now. */
+  /** Selects the button of the current value. */
   void show(T value) {
     shown = Optional.of(value);
     for (int i = 0; i < buttons.size(); i++) {

@@ -10,6 +10,7 @@ import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.sim.Control;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.SimulatorActions;
@@ -17,90 +18,101 @@ import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**
- * The panel at the left: what the drone does, and the room in which it does it. For the JavaFX
- * thread.
+ * The panel at the left, with the state of the selected drone and the controls for the room.
+ * Confined to the JavaFX thread.
  */
 public final class SimulatorControls extends ControlPanel {
 
-  /** Width of the panel [px]. Decided: room for two instruments and a height bar. */
+  /** Width of the panel [px]. Decided: fits two instruments and a height bar. */
   private static final double WIDTH = 280;
 
   private final FxSimulation simulation;
   private final SimulatorActions actions;
-  private final Messages messages;
   private final BooleanProperty droneCamera = new SimpleBooleanProperty(this, "droneCamera");
-  private final DroneComboBox choice;
-  private final FlightPanel flight;
   private final ProgramPanel program;
   private final ChartPanel charts;
-  private final RoomPanel room;
-  private final MorePanel more;
-  private final Button reset = new Button();
-  private final ToggleButton cameraSwitch = new ToggleButton();
+  private final ToggleButton cameraSwitch = Nodes.named(new ToggleButton(), "camera-switch");
 
   public SimulatorControls(ViewContext context) {
     super("simulator-controls", WIDTH);
     simulation = context.simulation();
     actions = context.actions();
-    messages = context.language().messages(SimulatorControls.class);
-    choice = new DroneComboBox(context.scene());
-    flight = new FlightPanel(context);
+    Messages messages = context.language().messages(SimulatorControls.class);
     program = new ProgramPanel(context);
     charts = new ChartPanel(context);
-    room = new RoomPanel(context);
-    more = new MorePanel(context);
-    initializeParts();
-    layoutParts();
-    setupEventHandlers();
-    setupBindings();
-    context.scenario().challengeProperty().subscribe(asked -> foldSoon()); // as its room is
-  }
-
-  private void initializeParts() {
-    reset.setId("reset");
-    reset.setGraphic(new FontIcon(Feather.ROTATE_CCW));
-    cameraSwitch.setId("camera-switch");
-    cameraSwitch.setGraphic(new FontIcon(Feather.VIDEO));
-    Tooltips.install(reset, messages.text("reset.hint"));
-    Tooltips.install(cameraSwitch, messages.text("camera.hint"));
-  }
-
-  private void layoutParts() {
-    reset.setMaxWidth(Double.MAX_VALUE);
-    cameraSwitch.setMaxWidth(Double.MAX_VALUE);
-    HBox.setHgrow(reset, Priority.ALWAYS);
-    HBox.setHgrow(cameraSwitch, Priority.ALWAYS);
-    HBox buttons = new HBox(8, reset, cameraSwitch);
+    RoomPanel room = new RoomPanel(context);
+    MorePanel more = new MorePanel(context);
     setFitToHeight(true);
     VBox.setVgrow(charts, Priority.ALWAYS);
-    layoutPanel(choice, flight, buttons, program, charts, room, more);
+    layoutPanel(
+        new DroneComboBox(context.scene()),
+        new FlightPanel(context),
+        buttons(messages),
+        program,
+        charts,
+        room,
+        more);
     foldInOrder(more, program, charts, room);
+    charts.usefulProperty().subscribe(this::makeRoom);
+    // the room card may fold or unfold
+    context.scenario().challengeProperty().subscribe(asked -> foldSoon());
   }
 
-  private void setupEventHandlers() {
+  private HBox buttons(Messages messages) {
+    Button reset =
+        Nodes.button(
+            "reset", Feather.ROTATE_CCW, messages.text("reset"), messages.text("reset.hint"));
     reset.setOnAction(
         pressed -> actions.carryOut(new Control.Reset(simulation.selected().number())));
-  }
-
-  private void setupBindings() {
-    reset.textProperty().bind(messages.text("reset"));
+    cameraSwitch.setGraphic(new FontIcon(Feather.VIDEO));
     cameraSwitch
         .textProperty()
         .bind(
             droneCamera.flatMap(
                 drone -> messages.text(drone ? "camera.simulator" : "camera.drone")));
     cameraSwitch.selectedProperty().bindBidirectional(droneCamera);
-    charts.usefulProperty().subscribe(this::makeRoom);
+    Tooltips.install(cameraSwitch, messages.text("camera.hint"));
+    return new HBox(8, Nodes.growing(reset), Nodes.growing(cameraSwitch));
   }
 
-  /** The first program has flown when there is something for the charts to show. */
+  /** Folds the first program once there is a flight that the charts can show. */
   private void makeRoom(boolean flown) {
     program.setUseful(!flown);
     foldSoon();
   }
 
-  /** Whether the scene shall be seen through the drone's camera; the button switches it. */
+  /** Whether the scene is seen through the drone's camera; toggled by a button of the panel. */
   public BooleanProperty droneCameraProperty() {
     return droneCamera;
+  }
+
+  /**
+   * The panel with a first program, for users who have not written any program yet. Confined to the
+   * JavaFX thread.
+   */
+  private static final class ProgramPanel extends Card {
+
+    /** Time between two updates of the address [ns]. Decided: four updates a second. */
+    private static final long PERIOD_NANOS = 250_000_000;
+
+    private final FxSimulation simulation;
+    private final SimulatorActions actions;
+    private final FirstProgram program;
+
+    ProgramPanel(ViewContext context) {
+      super("program", context.language().messages(ProgramPanel.class).text("program.heading"));
+      simulation = context.simulation();
+      actions = context.actions();
+      program = new FirstProgram("panel", context.language());
+      layoutCard(program);
+      layoutHead(program.copyButton());
+      refresh();
+      simulation.selectedProperty().subscribe(this::refresh);
+      DrawingClock.run(context, PERIOD_NANOS, this::refresh);
+    }
+
+    private void refresh() {
+      program.fly(actions.addresses(simulation.selected().number()));
+    }
   }
 }

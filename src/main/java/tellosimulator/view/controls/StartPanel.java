@@ -3,16 +3,14 @@ package tellosimulator.view.controls;
 import java.util.List;
 import java.util.Optional;
 import javafx.scene.control.Button;
-import javafx.scene.control.Label;
-import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
-import tellosimulator.math.Frames;
+import tellosimulator.scenario.Quantity;
+import tellosimulator.scenario.Quantity.Unit;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Rules;
 import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.ScenarioActions;
 import tellosimulator.view.model.StartSettings;
@@ -21,24 +19,22 @@ import tellosimulator.view.text.Message;
 import tellosimulator.view.text.Messages;
 
 /**
- * What holds only from the next beginning on: the seed, what counts as a crash, and the optics of
- * the cameras. A button begins anew with them. For the JavaFX thread.
+ * The settings that take effect only in a new run: the seed, the crash speed, and the cameras'
+ * optics. A button begins a new run with them. Confined to the JavaFX thread.
  */
 final class StartPanel extends VBox {
 
-  /** Seeds that can be typed here. Decided: nobody types more digits. */
+  /** The range of seeds that can be typed. Decided: users do not need more digits. */
   private static final NumberRange SEED = new NumberRange(-999_999_999, 999_999_999, 1);
 
-  /** [cm/s] */
-  private static final NumberRange CRASH =
-      new NumberRange(0, Frames.centimeters(Rules.FASTEST_TOUCH), 5);
+  /** The range of the impact speed above which a contact is a crash [cm/s]. */
+  private static final NumberRange CRASH = new NumberRange(Quantity.CRASH_SPEED, 5);
 
-  /** [degrees] */
-  private static final NumberRange FIELD_OF_VIEW =
-      new NumberRange(DroneOptics.NARROWEST_DEG, DroneOptics.WIDEST_DEG, 1);
+  private static final Quantity FIELD_OF_VIEW =
+      new Quantity(Unit.DEGREE, DroneOptics.NARROWEST_DEG, DroneOptics.WIDEST_DEG);
 
-  private static final NumberRange TILT =
-      new NumberRange(-DroneOptics.STEEPEST_DEG, DroneOptics.STEEPEST_DEG, 1);
+  private static final Quantity TILT =
+      new Quantity(Unit.DEGREE, -DroneOptics.STEEPEST_DEG, DroneOptics.STEEPEST_DEG);
 
   private final StartSettings present;
   private final ScenarioActions actions;
@@ -47,7 +43,8 @@ final class StartPanel extends VBox {
   private final NumberField crash;
   private final NumberField fieldOfView;
   private final NumberField tilt;
-  private final Button begin = new Button("", new FontIcon(Feather.ROTATE_CCW));
+  private final Button begin =
+      Nodes.named(new Button("", new FontIcon(Feather.ROTATE_CCW)), "begin-anew");
 
   StartPanel(ViewContext context) {
     SimConfig config = context.scenario().scenario().config();
@@ -57,8 +54,10 @@ final class StartPanel extends VBox {
     messages = context.language().messages(StartPanel.class);
     seed = new NumberField("start-seed", SEED, context.language());
     crash = new NumberField("start-crash-speed", CRASH, context.language());
-    fieldOfView = new NumberField("start-field-of-view", FIELD_OF_VIEW, context.language());
-    tilt = new NumberField("start-tilt", TILT, context.language());
+    fieldOfView =
+        new NumberField(
+            "start-field-of-view", new NumberRange(FIELD_OF_VIEW, 1), context.language());
+    tilt = new NumberField("start-tilt", new NumberRange(TILT, 1), context.language());
     initializeParts();
     layoutParts();
     setupEventHandlers();
@@ -71,10 +70,9 @@ final class StartPanel extends VBox {
         number ->
             number == Math.rint(number) ? Optional.empty() : Optional.of(Message.of("seed.whole")));
     seed.show((double) present.seed());
-    crash.show(Frames.centimeters(present.crashSpeed()));
-    fieldOfView.show(Math.toDegrees(present.optics().fieldOfView()));
-    tilt.show(Math.toDegrees(present.optics().tilt()));
-    begin.setId("begin-anew");
+    crash.show(Quantity.CRASH_SPEED.written(present.crashSpeed()));
+    fieldOfView.show(FIELD_OF_VIEW.written(present.optics().fieldOfView()));
+    tilt.show(TILT.written(present.optics().tilt()));
     begin.setMaxWidth(Double.MAX_VALUE);
     begin.textProperty().bind(messages.text("begin-anew"));
     Tooltips.install(begin, messages.text("begin-anew.hint"));
@@ -90,15 +88,7 @@ final class StartPanel extends VBox {
   }
 
   private void add(String key, NumberField field) {
-    Label name = messages.label(key, "caption");
-    name.setMaxWidth(Double.MAX_VALUE);
-    name.setLabelFor(field);
-    HBox.setHgrow(name, Priority.ALWAYS);
-    field.accessibleTextProperty().bind(name.textProperty());
-    HBox row = new HBox(name, field);
-    row.getStyleClass().add("row");
-    Tooltips.install(row, messages.text(key + ".hint"));
-    getChildren().addAll(row, field.error());
+    getChildren().addAll(new FormRow(messages, key, field), field.error());
   }
 
   private void setupEventHandlers() {
@@ -110,24 +100,22 @@ final class StartPanel extends VBox {
     begin.setDisable(wanted().equals(present));
   }
 
-  /** What nobody touched is exactly as it was, whatever a field shows of it. */
+  /**
+   * Returns the requested settings. Values that were not edited remain exactly as they were,
+   * regardless of the precision that their fields show.
+   */
   private StartSettings wanted() {
     DroneOptics optics = present.optics();
     return new StartSettings(
         seed.number() == (double) present.seed() ? present.seed() : Math.round(seed.number()),
-        kept(crash, Frames.centimeters(present.crashSpeed()))
-            ? present.crashSpeed()
-            : Frames.meters(crash.number()),
+        wanted(crash, Quantity.CRASH_SPEED, present.crashSpeed()),
         new DroneOptics(
-            kept(fieldOfView, Math.toDegrees(optics.fieldOfView()))
-                ? optics.fieldOfView()
-                : Math.toRadians(fieldOfView.number()),
-            kept(tilt, Math.toDegrees(optics.tilt()))
-                ? optics.tilt()
-                : Math.toRadians(tilt.number())));
+            wanted(fieldOfView, FIELD_OF_VIEW, optics.fieldOfView()),
+            wanted(tilt, TILT, optics.tilt())));
   }
 
-  private static boolean kept(NumberField field, double before) {
-    return field.number() == before;
+  private static double wanted(NumberField field, Quantity quantity, double before) {
+    boolean kept = field.number() == quantity.written(before);
+    return kept ? before : quantity.inSi(field.number());
   }
 }

@@ -2,7 +2,6 @@ package tellosimulator.view.controls;
 
 import java.util.Comparator;
 import java.util.stream.DoubleStream;
-import javafx.beans.binding.BooleanBinding;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
 import javafx.scene.control.ComboBox;
@@ -10,11 +9,11 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.sim.Control;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.SimulatorActions;
@@ -22,7 +21,10 @@ import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
-/** Simulated time: how late it is, how fast it passes, and a pause. For the JavaFX thread. */
+/**
+ * Shows the simulated time, sets its speed, and pauses and resumes it. Confined to the JavaFX
+ * thread.
+ */
 final class TimePanel extends Card {
 
   private static final double[] FACTORS = {0.1, 0.25, 0.5, 1, 2, 5, 10, 20, TimeFactor.MAX.value()};
@@ -31,13 +33,13 @@ final class TimePanel extends Card {
   private final SimulatorActions actions;
   private final Language language;
   private final Messages messages;
-  private final Label clock = new Label();
-  private final Label lost = new Label();
-  private final ComboBox<TimeFactor> factor = new ComboBox<>();
-  private final ToggleButton pause = new ToggleButton();
+  private final Label clock = Nodes.named(new Label(), "simulated-time", "number");
+  private final Label lost = Nodes.named(new Label(), "lost-time", "sentence", "muted");
+  private final ComboBox<TimeFactor> factor = Nodes.named(new ComboBox<>(), "time-factor");
+  private final ToggleButton pause = Nodes.named(new ToggleButton(), "pause");
   private final FontIcon pauseIcon = new FontIcon(Feather.PAUSE);
 
-  /** Whether the choice changes because the simulation's factor is shown. */
+  /** Whether the program, not the user, is changing the value of the combo box. */
   private boolean showing;
 
   TimePanel(ViewContext context) {
@@ -47,35 +49,20 @@ final class TimePanel extends Card {
     language = context.language();
     messages = language.messages(TimePanel.class);
     initializeParts();
-    layoutParts();
+    layoutHead(clock);
+    layoutCard(new HBox(8, Nodes.growing(factor), Nodes.growing(pause)), lost);
     setupEventHandlers();
     setupBindings();
     refresh();
   }
 
   private void initializeParts() {
-    clock.setId("simulated-time");
-    clock.getStyleClass().add("number");
-    lost.setId("lost-time");
-    lost.getStyleClass().addAll("sentence", "muted");
     ObservableList<TimeFactor> offered = FXCollections.observableArrayList();
     DoubleStream.of(FACTORS).mapToObj(TimeFactor::new).forEach(offered::add);
-    factor.setId("time-factor");
     factor.setItems(offered);
     factor.setCellFactory(list -> new FactorCell());
     factor.setButtonCell(new FactorCell());
-    factor.setMaxWidth(Double.MAX_VALUE);
-    pause.setId("pause");
     pause.setGraphic(pauseIcon);
-    pause.setMaxWidth(Double.MAX_VALUE);
-  }
-
-  private void layoutParts() {
-    HBox row = new HBox(8, factor, pause);
-    HBox.setHgrow(factor, Priority.ALWAYS);
-    HBox.setHgrow(pause, Priority.ALWAYS);
-    layoutHead(clock);
-    layoutCard(row, lost);
   }
 
   private void setupEventHandlers() {
@@ -91,13 +78,10 @@ final class TimePanel extends Card {
   }
 
   private void setupBindings() {
-    BooleanBinding someLost = simulation.lostSecondsProperty().greaterThan(0);
-    lost.visibleProperty().bind(someLost);
-    lost.managedProperty().bind(someLost);
+    Nodes.showIf(lost, simulation.lostSecondsProperty().greaterThan(0));
     lost.textProperty().bind(messages.text("time.lost", simulation.lostSecondsProperty()));
     Tooltips.install(lost, messages.text("time.lost.hint"));
-    Tooltips.install(factor, messages.text("time.factor.hint"));
-    factor.accessibleTextProperty().bind(messages.text("time.factor.hint"));
+    Nodes.described(factor, messages.text("time.factor.hint"));
     pause
         .textProperty()
         .bind(
@@ -105,13 +89,11 @@ final class TimePanel extends Card {
                 .pausedProperty()
                 .flatMap(paused -> messages.text(paused ? "time.resume" : "time.pause")));
     openProperty().subscribe(this::refresh);
-    simulation.pausedProperty().addListener((property, before, now) -> showPause(now));
-    simulation.timeFactorProperty().addListener((property, before, now) -> showFactor(now));
-    showPause(simulation.pausedProperty().get());
-    showFactor(simulation.timeFactorProperty().get());
+    simulation.pausedProperty().subscribe(this::showPause);
+    simulation.timeFactorProperty().subscribe(this::showFactor);
   }
 
-  /** Shows how late it is, unless it is folded away. */
+  /** Updates the time, unless the card is folded. */
   void refresh() {
     if (isOpen()) {
       clock.setText(NumberText.time(simulation.secondsProperty().get()));

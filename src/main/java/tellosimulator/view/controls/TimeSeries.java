@@ -1,73 +1,69 @@
 package tellosimulator.view.controls;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
- * The newest samples of a value, with their moments; the oldest make room for new ones.
+ * The newest samples of a value, with their times.
  *
- * <p>Keeps {@link #SPAN} seconds of simulated time, at most four samples a second, so that its size
- * depends neither on the frame rate nor on how fast time passes.
+ * <p>The series covers {@link #SPAN} seconds of simulated time with at most four samples a second,
+ * so that its size depends neither on the frame rate nor on the speed of time.
  */
 final class TimeSeries {
 
-  /** How far back it reaches [s]. */
+  /** The time that the series covers [s]. */
   static final double SPAN = 60;
 
-  /** Least time between two samples [s]. Decided: finer than a pixel of a small chart. */
+  /** Minimum time between two samples [s]. Decided: less than a pixel of a small chart. */
   static final double PERIOD = 0.25;
 
-  /** One sample more than fits, which is beyond the left edge. */
+  /**
+   * Maximum number of samples. The span contains one more sample than periods, and another sample
+   * lies beyond the left edge.
+   */
   private static final int CAPACITY = (int) (SPAN / PERIOD) + 2;
 
-  private final double[] times = new double[CAPACITY];
-  private final double[] values = new double[CAPACITY];
-  private int first;
-  private int size;
+  private record Sample(double seconds, double value) {}
+
+  private final List<Sample> samples = new ArrayList<>();
 
   /**
-   * Takes a value, if the last one is old enough.
+   * Adds a value, unless the last one is too recent.
    *
-   * @param seconds simulated time [s]; time that went back starts anew
+   * @param seconds the simulated time [s]; if it has gone back, the series starts again
    */
   void add(double seconds, double value) {
-    if (size > 0) {
-      double since = seconds - time(size - 1);
-      if (since < 0) {
-        size = 0;
-      } else if (since < PERIOD) {
-        return;
-      }
+    double since = samples.isEmpty() ? PERIOD : seconds - time(size() - 1);
+    if (since < 0) {
+      samples.clear();
+    } else if (since < PERIOD) {
+      return;
     }
-    if (size == CAPACITY) {
-      first = (first + 1) % CAPACITY;
-      size--;
+    if (size() == CAPACITY) {
+      samples.remove(0);
     }
-    int place = (first + size) % CAPACITY;
-    times[place] = seconds;
-    values[place] = value;
-    size++;
+    samples.add(new Sample(seconds, value));
   }
 
   int size() {
-    return size;
+    return samples.size();
   }
 
-  /** Moment of a sample [s]; 0 is the oldest. */
+  /** Returns the time of a sample [s]; 0 is the oldest. */
   double time(int index) {
-    return times[(first + index) % CAPACITY];
+    return samples.get(index).seconds();
   }
 
-  /** A sample; 0 is the oldest. */
+  /** Returns a sample; 0 is the oldest. */
   double value(int index) {
-    return values[(first + index) % CAPACITY];
+    return samples.get(index).value();
   }
 
-  /** The largest sample that is not older than {@link #SPAN}, 0 if there is none above. */
+  /** Returns the largest sample that is not older than {@link #SPAN}, but at least 0. */
   double largest(double nowSeconds) {
-    double largest = 0;
-    for (int i = 0; i < size; i++) {
-      if (time(i) >= nowSeconds - SPAN) {
-        largest = Math.max(largest, value(i));
-      }
-    }
-    return largest;
+    return samples.stream()
+        .filter(sample -> sample.seconds() >= nowSeconds - SPAN)
+        .mapToDouble(Sample::value)
+        .reduce(0, Math::max);
   }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import javafx.scene.control.Label;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenario.Quantity;
 import tellosimulator.sim.Control;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxSimulation;
@@ -13,24 +14,29 @@ import tellosimulator.view.text.Messages;
 import tellosimulator.world.Wind;
 
 /**
- * The wind: where it blows, how fast, and how much it changes, with directions as in scenario
- * files. What a person changes goes to the simulation at the next pulse, and what the simulation
- * says is shown. For the JavaFX thread.
+ * Controls for the wind's direction, speed and gusts. Directions are as in scenario files. Changes
+ * are sent to the simulation at the next pulse; the panel shows the values of the simulation.
+ * Confined to the JavaFX thread.
  */
 final class WindPanel extends Card {
 
-  /** Degrees counter-clockwise seen from above, 0 towards the front wall. */
+  /**
+   * The range of directions towards which the wind blows [deg]: counter-clockwise as seen from
+   * above, with 0 towards the front wall.
+   */
   private static final NumberRange TOWARDS = new NumberRange(-180, 180, 15);
 
-  /** What the sliders reach [cm/s]. Decided: a wind against which a drone just holds its place. */
+  /**
+   * The range of the sliders [cm/s]. Decided: the maximum is a wind in which a drone barely holds
+   * its position.
+   */
   private static final NumberRange SPEED = new NumberRange(0, 500, 10);
 
   private static final NumberRange GUSTS = new NumberRange(0, 200, 5);
 
-  private static final NumberRange FIELD =
-      new NumberRange(0, Frames.centimeters(Wind.FASTEST), SPEED.step());
+  private static final NumberRange FIELD = new NumberRange(Quantity.WIND_SPEED, SPEED.step());
 
-  /** Slower is calm to the eye [m/s]; there is no direction left in it. */
+  /** Speed below which the wind is shown as calm and has no direction [m/s]. */
   private static final double CALM = 1e-6;
 
   private final FxSimulation simulation;
@@ -40,7 +46,7 @@ final class WindPanel extends Card {
   private final NumberSlider speed;
   private final NumberSlider gusts;
 
-  /** What is seen of it while it is folded. */
+  /** Shows the speed, even while the card is folded. */
   private final Label now = new Label();
 
   WindPanel(ViewContext context) {
@@ -62,18 +68,12 @@ final class WindPanel extends Card {
     layoutCard(towards, speed, gusts);
     towards.show(0);
     show(wind());
-    context.pulse().onBeat(nanos -> beat());
+    context.ticker().onTick(nanos -> beat());
   }
 
   private void beat() {
-    boolean changed = towards.takeChange();
-    changed |= speed.takeChange();
-    changed |= gusts.takeChange();
-    if (changed) {
-      actions.carryOut(new Control.SetWind(wanted()));
-    } else if (!actions.pending()) {
-      show(wind());
-    }
+    NumberSlider.advance(
+        actions, () -> new Control.SetWind(wanted()), () -> show(wind()), towards, speed, gusts);
   }
 
   private Wind wind() {
@@ -92,7 +92,7 @@ final class WindPanel extends Card {
     gusts.show(tidy(Frames.centimeters(wind.gusts())));
   }
 
-  /** Without the last bits of the conversion. */
+  /** Removes the rounding errors of the conversion. */
   private static double tidy(double number) {
     return Math.rint(number * 1000) / 1000;
   }

@@ -1,11 +1,11 @@
 /**
- * The panels at the left and right of the window, and the controls that they are made of.
+ * The panels at the left and right of the window, and their controls.
  *
- * <p>{@link tellosimulator.view.controls.SimulatorControls} shows the flight and sets the room;
- * {@link tellosimulator.view.controls.NetworkControls} is the power switch and the network. They
- * bind one way to the mirror of the simulation and send one {@code Control} for each thing that a
- * person does. Instruments are shapes whose looks are in {@code controls.css}; each changes only
- * when the change can be seen. Everything is for the JavaFX thread. Where the panels stand in the
- * window is not their job.
+ * <p>{@link tellosimulator.view.controls.SimulatorControls} shows the flight and changes the room;
+ * {@link tellosimulator.view.controls.NetworkControls} contains the power switch and the controls
+ * for the network. Both panels bind unidirectionally to the model of the simulation and send one
+ * {@code Control} for each action of the user. Instruments are shapes styled in {@code
+ * controls.css}. Each instrument is updated only if the change is visible. Everything is confined
+ * to the JavaFX thread. The package does not position the panels in the window.
  */
 package tellosimulator.view.controls;

@@ -9,23 +9,29 @@ import tellosimulator.goal.Goal;
 import tellosimulator.view.fx.FxTextures;
 import tellosimulator.view.model.FxDroneModel;
 
-/** The colours that tell drones apart, as JavaFX has them. */
+/** The colours that distinguish drones, as JavaFX colours. */
 public final class DroneColors {
 
   /**
-   * Relative luminance above which black letters have more contrast than white ones: where 1.05 /
-   * (L + 0.05) is (L + 0.05) / 0.05. Documented: WCAG 2.1.
+   * Relative luminance L above which black letters have more contrast than white ones. L solves the
+   * equation 1.05 / (L + 0.05) = (L + 0.05) / 0.05. Documented: WCAG 2.1.
    */
   private static final double BRIGHT = Math.sqrt(1.05 * 0.05) - 0.05;
 
   private DroneColors() {}
 
-  /** The colour of all that belongs to a drone: its path, its start, its rows in panels. */
+  /**
+   * Returns the colour of everything that belongs to a drone, such as its trail, its start, and its
+   * rows in panels.
+   */
   public static Color of(FxDroneModel drone) {
     return FxTextures.color(drone.livery().color());
   }
 
-  /** That of the one drone that shall reach a goal, which all that belongs to the goal has. */
+  /**
+   * Returns the colour of everything that belongs to a goal: the colour of the drone to which the
+   * goal is assigned. Empty if any drone may reach the goal.
+   */
   public static Optional<Color> of(Goal goal, List<FxDroneModel> drones) {
     return drones.stream()
         .filter(drone -> goal.drone().equals(OptionalInt.of(drone.number())))
@@ -33,17 +39,17 @@ public final class DroneColors {
         .findFirst();
   }
 
-  /** The CSS of a badge of a colour, with a text that is read on it. */
+  /** Returns the CSS for a badge of the given colour, with readable text. */
   public static String badge(Color color) {
     return String.format(
         Locale.ROOT, "-fx-background-color: %s; -fx-text-fill: %s;", web(color), web(inkOn(color)));
   }
 
   private static String web(Color color) {
-    return "#" + color.toString().substring(2, 8); // as the toolkit writes it: 0xrrggbbaa
+    return "#" + color.toString().substring(2, 8); // JavaFX writes 0xrrggbbaa
   }
 
-  /** Black or white, whichever is read better on a colour. */
+  /** Returns black or white, whichever is more readable on the given colour. */
   public static Color inkOn(Color color) {
     double luminance =
         0.2126 * linear(color.getRed())
@@ -52,7 +58,7 @@ public final class DroneColors {
     return luminance > BRIGHT ? Color.BLACK : Color.WHITE;
   }
 
-  /** A component of sRGB as light. */
+  /** Converts a component of sRGB to linear light. */
   private static double linear(double component) {
     return component <= 0.04045 ? component / 12.92 : Math.pow((component + 0.055) / 1.055, 2.4);
   }

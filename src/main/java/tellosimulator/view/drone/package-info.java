@@ -1,5 +1,6 @@
 /**
- * {@link tellosimulator.view.drone.DroneColors} tells drones apart in all panels, by the colours
- * that they have in the scene ({@code scenery.drone}). For any thread; drawing is not its job.
+ * {@link tellosimulator.view.drone.DroneColors} provides the colours that distinguish drones in all
+ * panels. The colours are the same as in the scene ({@code scenery.drone}). Everything is
+ * thread-safe. The package does not draw anything.
  */
 package tellosimulator.view.drone;

@@ -8,16 +8,16 @@ import javafx.scene.Node;
 import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
 
-/** Lets somebody drop a file or a folder. For the JavaFX thread. */
+/** Accepts files or folders by drag and drop. Confined to the JavaFX thread. */
 public final class FileDrop {
 
   private FileDrop() {}
 
   /**
-   * From now on.
+   * Installs handlers on a node, so that a file or folder can be dropped on it.
    *
-   * @param target on which it can be dropped, or on what is in it
-   * @param taker gets what was dropped; several files at once are none
+   * @param target the node that accepts drops, including those on its descendants
+   * @param taker receives the dropped file or folder; a drop of several files is ignored
    */
   public static void install(Node target, Consumer<Path> taker) {
     target.setOnDragOver(

@@ -9,8 +9,9 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 
 /**
- * The axes of {@link Frames} as transforms of JavaFX. A group with {@link #ofRoom} holds everything
- * in the room frame and in metres; in it, bodies and cameras have their poses.
+ * Creates and sets the JavaFX transforms between the frames of the simulator and the axes of
+ * JavaFX; see {@link Frames}. The transforms of bodies and cameras apply inside a group with the
+ * transform {@link #ofRoom}, where coordinates are in the room frame [m].
  */
 public final class FxFrames {
 
@@ -20,19 +21,27 @@ public final class FxFrames {
 
   private FxFrames() {}
 
-  /** From the room frame to the axes of JavaFX. */
+  /** Returns the transform from the room frame to the axes of JavaFX. */
   public static Affine ofRoom() {
     return affine(Frames.toScreen(X), Frames.toScreen(Y), Frames.toScreen(Z), Vec3.ZERO);
   }
 
-  /** Makes of a transform the one from a body's frame to the room frame. */
+  /**
+   * Sets a transform so that it converts from the frame of a body to the room frame.
+   *
+   * @param pose the body's pose in the room frame
+   */
   public static void place(Affine transform, Pose pose) {
     Attitude attitude = pose.attitude();
     change(
         transform, affine(attitude.toRoom(X), attitude.toRoom(Y), attitude.up(), pose.position()));
   }
 
-  /** Makes of a transform the one of a camera that looks along its body's x axis, in the room. */
+  /**
+   * Sets a transform so that it converts from the frame of a JavaFX camera to the room frame.
+   *
+   * @param pose the camera's pose in the room frame; its x axis is the viewing direction
+   */
   public static void aim(Affine transform, Pose pose) {
     Attitude attitude = pose.attitude();
     change(
@@ -44,7 +53,9 @@ public final class FxFrames {
             pose.position()));
   }
 
-  /** Only if it is another one: the toolkit draws a whole scene anew for each that is set. */
+  /**
+   * Sets the transform only if it differs, because JavaFX redraws the whole scene for each change.
+   */
   private static void change(Affine transform, Affine wanted) {
     double[] before = transform.toArray(MatrixType.MT_3D_3x4);
     double[] now = wanted.toArray(MatrixType.MT_3D_3x4);

@@ -4,12 +4,12 @@ import javafx.scene.shape.TriangleMesh;
 import javafx.scene.shape.VertexFormat;
 import tellosimulator.scenery.mesh.Mesh;
 
-/** The meshes of a scenery as JavaFX has them. For any thread. */
+/** Converts meshes of a scene to JavaFX meshes. Thread-safe. */
 public final class FxMeshes {
 
   private FxMeshes() {}
 
-  /** A mesh of the same triangles. */
+  /** Returns a JavaFX mesh with the same triangles, normals and texture coordinates. */
   public static TriangleMesh of(Mesh mesh) {
     TriangleMesh converted = new TriangleMesh(VertexFormat.POINT_NORMAL_TEXCOORD);
     converted.getPoints().setAll(mesh.positionArray());

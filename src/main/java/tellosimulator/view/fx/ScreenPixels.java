@@ -8,7 +8,7 @@ import javafx.scene.image.PixelBuffer;
 import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 
-/** The pixels that an ImageView shows, used again and again. For the JavaFX thread. */
+/** A reusable pixel buffer that an ImageView shows. Confined to the JavaFX thread. */
 public final class ScreenPixels {
 
   private final ImageView view;
@@ -21,10 +21,10 @@ public final class ScreenPixels {
   /**
    * Shows new pixels.
    *
-   * @param width of the picture in pixels
-   * @param height of the picture in pixels
-   * @param writer fills them row by row, with 8 bits for alpha, red, green and blue, the colours
-   *     multiplied with alpha
+   * @param width the width of the picture [pixels]
+   * @param height the height of the picture [pixels]
+   * @param writer fills the pixels row by row, with 8 bits each for alpha, red, green and blue,
+   *     premultiplied with alpha
    */
   public void show(int width, int height, Consumer<int[]> writer) {
     PixelBuffer<IntBuffer> target = pixels(width, height);
@@ -32,7 +32,7 @@ public final class ScreenPixels {
     target.updateBuffer(all -> null);
   }
 
-  /** Shows nothing. */
+  /** Removes the picture. */
   public void clear() {
     pixels = Optional.empty();
     view.setImage(null);

@@ -6,17 +6,20 @@ import javafx.scene.control.Control;
 import javafx.scene.control.Tooltip;
 import javafx.util.Duration;
 
-/** Tooltips that follow the language. For the JavaFX thread. */
+/** Installs tooltips that follow the language. Confined to the JavaFX thread. */
 public final class Tooltips {
 
-  /** Until one appears. Decided: half of the toolkit's, so that people find it. */
+  /**
+   * Delay before a tooltip appears. Decided: half of JavaFX's default, so that users notice that
+   * there are tooltips.
+   */
   private static final Duration DELAY = Duration.millis(500);
 
   private static final double WIDTH = 300;
 
   private Tooltips() {}
 
-  /** Gives a node a tooltip. */
+  /** Installs a tooltip on a node. */
   public static void install(Node node, ObservableValue<String> text) {
     Tooltip tooltip = new Tooltip();
     tooltip.textProperty().bind(text);

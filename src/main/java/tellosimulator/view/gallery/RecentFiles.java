@@ -14,10 +14,10 @@ import javafx.beans.property.SimpleObjectProperty;
 import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.view.settings.Settings;
 
-/** The scenario files that were opened or saved last, the newest first. For the JavaFX thread. */
+/** The recently opened or saved scenario files, newest first. Confined to the JavaFX thread. */
 public final class RecentFiles {
 
-  /** How many are remembered. Decided: one row of the gallery. */
+  /** Maximum number of files. Decided: they fit into one row of the gallery. */
   static final int MOST = 5;
 
   private static final String SEPARATOR = ",";
@@ -25,14 +25,14 @@ public final class RecentFiles {
   private final ObjectProperty<List<Path>> files =
       new SimpleObjectProperty<>(this, "files", List.of());
 
-  /** Those of the last time; from now on they are remembered. */
+  /** Restores the list from the settings, and saves its changes. */
   public static RecentFiles remembered(Settings settings) {
     RecentFiles recent = new RecentFiles();
     settings.bind("recent-files", recent.files, codec());
     return recent;
   }
 
-  /** A file has been opened or saved. */
+  /** Puts a file first in the list, and drops the oldest file if there are too many. */
   public void add(Path file) {
     Path absolute = file.toAbsolutePath().normalize();
     files.set(
@@ -42,12 +42,15 @@ public final class RecentFiles {
             .toList());
   }
 
-  /** Absolute paths. */
+  /** The absolute paths of the files. */
   ReadOnlyProperty<List<Path>> filesProperty() {
     return files;
   }
 
-  /** Without backslashes and blanks, which the settings do not keep as they are. */
+  /**
+   * Returns the codec for the files. The codec encodes backslashes and spaces, because settings do
+   * not preserve them.
+   */
   static SettingCodec<List<Path>> codec() {
     return new SettingCodec<>(
         "at most " + MOST + " paths, percent-encoded, with commas between them",
@@ -66,7 +69,7 @@ public final class RecentFiles {
               .toList();
       return Optional.of(paths)
           .filter(all -> all.size() <= MOST && all.stream().allMatch(Path::isAbsolute));
-    } catch (IllegalArgumentException e) { // neither encoded like this nor a path
+    } catch (IllegalArgumentException e) { // not percent-encoded, or not a path
       return Optional.empty();
     }
   }

@@ -3,7 +3,7 @@ package tellosimulator.view.gallery;
 import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.GoalMark;
+import tellosimulator.goal.PlacedGoal;
 import tellosimulator.goal.Progress;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
@@ -27,46 +27,62 @@ import tellosimulator.video.camera.SoftwareCamera;
 import tellosimulator.world.Walls;
 
 /**
- * Draws scenarios as they begin, with their goals and the rings of their drones, from above and
- * from so near that what tells one from the other fills the picture: obstacles, mission pads,
- * starts and goals. For one thread at a time.
+ * Draws pictures of scenarios in their initial state, seen obliquely from above, with their goals
+ * and the heading rings of their drones. The camera is so close that the obstacles, mission pads,
+ * starts and goals fill the picture. Not thread-safe.
  */
 final class RoomCamera {
 
-  /** Size of a picture [pixels]. Decided: twice as large as a card shows it, for smooth edges. */
+  /** Width of a picture [pixels]. Decided: twice the width on a card, for smooth edges. */
   static final int WIDTH = 480;
 
+  /** Height of a picture [pixels]. Decided: twice the height on a card, for smooth edges. */
   static final int HEIGHT = 320;
 
-  /** Decided: as the window looks at a drone, from behind and a little from the right. */
+  /**
+   * Heading of the camera, counter-clockwise from the room's x axis [rad]. Decided: like the
+   * window's view of a drone, from behind and slightly from the right.
+   */
   private static final double HEADING = Math.toRadians(24);
 
-  /** How far it looks down [rad]. Decided: one sees the floor, and how high things are. */
+  /**
+   * Downward angle of the camera [rad]. Decided: shows both the floor and the height of objects.
+   */
   private static final double ELEVATION = Math.toRadians(32);
 
-  /** From left to right [rad]. Decided: little distortion at the edges. */
+  /** Horizontal field of view [rad]. Decided: little distortion at the edges. */
   private static final double FIELD_OF_VIEW = Math.toRadians(40);
 
-  /** How much of the picture is free between its edges and the things. Decided: by eye. */
+  /** Fraction of the picture kept free at its edges. Decided: by eye. */
   private static final double MARGIN = 0.06;
 
-  /** Height over a goal that is seen too [m]. Decided: the number over a circle on a table. */
+  /**
+   * Height of the space above each goal that must also be visible [m]. Decided: the number of a
+   * goal on the floor or on an obstacle floats in this space.
+   */
   private static final double TAG = 0.5;
 
-  /** Least distance from the middle of the things [m]. Decided: one sees what is around them. */
+  /**
+   * Minimum distance of the camera from the centre of the objects [m]. Decided: keeps their
+   * surroundings visible.
+   */
   private static final double NEAREST = 3;
 
+  /** Distance from the camera to the near plane [m]. */
   private static final double NEAR = 0.05;
 
   private final SceneBuilder scenes = new SceneBuilder();
   private final SoftwareCamera camera = new SoftwareCamera(new RenderCache(ColorSpace.RGB));
   private final FrameBuffer frameBuffer = FrameBuffer.forScreen(WIDTH, HEIGHT);
 
-  /** The pixels row by row, 8 bits each for alpha, red, green and blue; transparent outside. */
+  /**
+   * Returns the pixels of a picture row by row, with 8 bits each for alpha, red, green and blue.
+   * Pixels outside the room are transparent.
+   */
   int[] picture(Scenario scenario) {
     int[] argb = new int[WIDTH * HEIGHT];
     SimSnapshot beginning = beginning(calm(scenario.config()));
-    List<GoalMark> marks = GoalMark.of(Progress.start(scenario.challenge()), beginning.arena());
+    List<PlacedGoal> marks = PlacedGoal.of(Progress.start(scenario.challenge()), beginning.arena());
     PinholeCamera overview = overview(places(beginning, scenario.challenge().goals(), marks));
     Overlay goals = new Overlay(beginning);
     goals.show(marks, List.of());
@@ -79,24 +95,24 @@ final class RoomCamera {
     return argb;
   }
 
-  /** Small pictures of patterned walls show little but patterns. */
+  /** Removes the walls' patterns, which would dominate a small picture. */
   private static SimConfig calm(SimConfig config) {
     return config.withDecor(config.arena().decor().withWalls(Walls.AUTO));
   }
 
   private static SimSnapshot beginning(SimConfig config) {
-    return new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
+    return new Simulation(config, drone -> datagram -> {}, List.of()).snapshot();
   }
 
-  /** What must be seen. */
-  private static List<Vec3> places(SimSnapshot snapshot, List<Goal> goals, List<GoalMark> marks) {
+  /** Returns the places that must be visible, in the room frame [m]. */
+  private static List<Vec3> places(SimSnapshot snapshot, List<Goal> goals, List<PlacedGoal> marks) {
     List<Pose> starts = snapshot.drones().stream().map(DroneSnapshot::start).toList();
     List<Vec3> places = new ArrayList<>(SceneExtent.things(snapshot.arena(), starts, goals));
     marks.forEach(mark -> places.add(mark.place().middle().plusScaled(Vec3.UP, TAG)));
     return places;
   }
 
-  /** From where all places are in the picture; there is at least one. */
+  /** Returns a camera that sees all given places; there must be at least one. */
   static PinholeCamera overview(List<Vec3> places) {
     CameraIntrinsics intrinsics = new CameraIntrinsics(WIDTH, HEIGHT, FIELD_OF_VIEW);
     Attitude view =
@@ -120,8 +136,9 @@ final class RoomCamera {
   }
 
   /**
-   * What two opposite edges of the picture leave to see, in a plane through the camera: places that
-   * are ahead of it by x and beside it by y are seen while y is at most x times the slope.
+   * The bounds that two opposite edges of the picture impose on the camera's position, in a plane
+   * through the camera. A place is visible if its lateral distance from the camera's axis is at
+   * most the slope times its distance ahead of the camera.
    */
   private static final class Edges {
 
@@ -138,12 +155,12 @@ final class RoomCamera {
       lower = Math.min(lower, y + slope * x);
     }
 
-    /** How far ahead the camera can be at the most, so that all places are seen. */
+    /** Returns how far ahead the camera can be on its axis so that all places are still visible. */
     double farthestAhead() {
       return (lower - upper) / (2 * slope);
     }
 
-    /** Where it is then between both edges. */
+    /** Returns the lateral position of the camera at {@link #farthestAhead}. */
     double middle() {
       return (lower + upper) / 2;
     }

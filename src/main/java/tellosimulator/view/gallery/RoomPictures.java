@@ -6,15 +6,14 @@ import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.scene.image.Image;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.scenario.Gallery;
+import tellosimulator.view.fx.FxTextures;
 
 /**
- * Pictures of the scenarios that come with the program. A thread of its own draws all of them, one
- * after the other, once the first one is asked for; they are kept. For the JavaFX thread.
+ * The pictures of the scenarios that come with the program. On the first request, a separate thread
+ * draws all pictures one after another. The pictures are cached. Confined to the JavaFX thread.
  */
 public final class RoomPictures {
 
@@ -30,7 +29,7 @@ public final class RoomPictures {
   }
 
   /**
-   * The picture of a scenario; null until it is drawn.
+   * Returns the picture of a scenario; its value is null until the picture has been drawn.
    *
    * @param name one of {@link Gallery#NAMES}
    */
@@ -52,18 +51,6 @@ public final class RoomPictures {
   }
 
   private static Image image(int[] argb) {
-    WritableImage image = new WritableImage(RoomCamera.WIDTH, RoomCamera.HEIGHT);
-    image
-        .getPixelWriter()
-        .setPixels(
-            0,
-            0,
-            RoomCamera.WIDTH,
-            RoomCamera.HEIGHT,
-            PixelFormat.getIntArgbInstance(),
-            argb,
-            0,
-            RoomCamera.WIDTH);
-    return image;
+    return FxTextures.image(RoomCamera.WIDTH, RoomCamera.HEIGHT, argb);
   }
 }

@@ -22,19 +22,20 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Difficulty;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * A scenario with its picture, name, difficulty, and what one learns by it. Chosen by a click,
- * Enter or Space. For the JavaFX thread.
+ * A card that shows the picture, name, difficulty and lesson of a scenario. A click, Enter or Space
+ * chooses the scenario. Confined to the JavaFX thread.
  */
 final class ScenarioCard extends VBox {
 
   private static final PseudoClass FILLED = PseudoClass.getPseudoClass("filled");
   private static final PseudoClass CHOSEN = PseudoClass.getPseudoClass("chosen");
 
-  /** Time in which it is drawn as chosen. */
+  /** The time for which the card is highlighted before its scenario is opened. */
   private static final Duration A_FRAME_OR_TWO = Duration.millis(50);
 
   private final Language language;
@@ -42,60 +43,45 @@ final class ScenarioCard extends VBox {
   private final Description description;
   private final Runnable chosen;
   private final ImageView picture = new ImageView();
-  private final Label name = new Label();
-  private final Label level = new Label();
-  private final HBox difficulty = new HBox();
-  private final Label teaches = new Label();
+  private final Label name = Nodes.styled(new Label(), "name");
+  private final Label level = Nodes.styled(new Label(), "level");
+  private final HBox difficulty = Nodes.styled(new HBox(), "difficulty");
+  private final Label teaches = Nodes.styled(new Label(), "teaches");
 
   /**
-   * @param chosen what choosing it does
+   * @param chosen called when the card is chosen
    */
   ScenarioCard(Language language, Description description, Runnable chosen) {
     this.language = language;
     this.description = description;
     this.chosen = chosen;
     messages = language.messages(ScenarioCard.class);
-    initializeSelf();
-    initializeParts();
+    getStyleClass().add("scenario-card");
+    setFocusTraversable(true);
+    setAccessibleRole(AccessibleRole.BUTTON);
+    picture.setPreserveRatio(true);
+    picture.setSmooth(true);
+    Nodes.wrapping(name);
+    Nodes.wrapping(teaches);
     layoutParts();
     setupEventHandlers();
     setupBindings();
   }
 
-  /** What shows its picture. */
+  /** Returns the node that shows the picture. */
   ImageView picture() {
     return picture;
   }
 
-  /** Shows whether its goals have been reached. */
+  /** Sets whether all goals of the scenario have been reached before. */
   void setSolved(boolean solved) {
     name.setGraphic(solved ? new FontIcon(Feather.CHECK_CIRCLE) : null);
     name.setAccessibleHelp(solved ? messages.now("solved") : null);
   }
 
-  private void initializeSelf() {
-    getStyleClass().add("scenario-card");
-    setFocusTraversable(true);
-    setAccessibleRole(AccessibleRole.BUTTON);
-  }
-
-  private void initializeParts() {
-    picture.setPreserveRatio(true);
-    picture.setSmooth(true);
-    name.getStyleClass().add("name");
-    name.setWrapText(true);
-    name.setMinHeight(Region.USE_PREF_SIZE);
-    level.getStyleClass().add("level");
-    difficulty.getStyleClass().add("difficulty");
-    teaches.getStyleClass().add("teaches");
-    teaches.setWrapText(true);
-    teaches.setMinHeight(Region.USE_PREF_SIZE);
-  }
-
   private void layoutParts() {
     for (Difficulty each : Difficulty.values()) {
-      Region dot = new Region();
-      dot.getStyleClass().add("dot");
+      Region dot = Nodes.styled(new Region(), "dot");
       boolean filled =
           description.difficulty().filter(said -> each.compareTo(said) <= 0).isPresent();
       dot.pseudoClassStateChanged(FILLED, filled);
@@ -124,7 +110,9 @@ final class ScenarioCard extends VBox {
         });
   }
 
-  /** Shows that it was chosen before the scenario is opened, which takes a while. */
+  /**
+   * Chooses the scenario. Highlights the card first, because opening the scenario takes a while.
+   */
   private void choose() {
     pseudoClassStateChanged(CHOSEN, true);
     PauseTransition shown = new PauseTransition(A_FRAME_OR_TWO);
@@ -166,7 +154,7 @@ final class ScenarioCard extends VBox {
     }
   }
 
-  /** As wide as the card, whatever picture is in it, or none yet. */
+  /** The frame of the picture. It is as wide as the card, even if the picture is missing. */
   private static final class Frame extends StackPane {
 
     private final ImageView shown;

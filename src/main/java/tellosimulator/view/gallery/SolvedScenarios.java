@@ -10,7 +10,10 @@ import tellosimulator.scenario.Gallery;
 import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.view.settings.Settings;
 
-/** The scenarios of the program whose goals have all been reached once. For the JavaFX thread. */
+/**
+ * The gallery's scenarios whose goals have all been reached at least once. Confined to the JavaFX
+ * thread.
+ */
 public final class SolvedScenarios {
 
   private static final String SEPARATOR = ",";
@@ -18,14 +21,14 @@ public final class SolvedScenarios {
   private final ObjectProperty<Set<String>> names =
       new SimpleObjectProperty<>(this, "names", Set.of());
 
-  /** Those of earlier times; from now on they are remembered. */
+  /** Restores the set from the settings, and saves its changes. */
   public static SolvedScenarios remembered(Settings settings) {
     SolvedScenarios solved = new SolvedScenarios();
     settings.bind("solved-scenarios", solved.names, codec());
     return solved;
   }
 
-  /** All goals of a scenario have been reached. */
+  /** Adds a scenario whose goals have all been reached. */
   public void add(String name) {
     if (!contains(name)) {
       Set<String> more = new TreeSet<>(names.get());
@@ -34,7 +37,7 @@ public final class SolvedScenarios {
     }
   }
 
-  /** Whether all goals of a scenario have been reached once. */
+  /** Returns whether all goals of a scenario have been reached before. */
   boolean contains(String name) {
     return names.get().contains(name);
   }

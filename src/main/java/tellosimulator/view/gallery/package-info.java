@@ -1,10 +1,10 @@
 /**
- * The scenarios that somebody can choose from: cards of those that come with the program, and the
- * files that were open last.
+ * The gallery: cards of the scenarios that come with the program, and the recently opened files.
  *
- * <p>{@link tellosimulator.view.gallery.GalleryPane} shows them. {@link
- * tellosimulator.view.gallery.RoomPictures} draws the pictures of the cards on a thread of its own
- * and keeps them; {@link tellosimulator.view.gallery.RecentFiles} remembers files. Everything else
- * is for the JavaFX thread. Opening what was chosen is not its job.
+ * <p>{@link tellosimulator.view.gallery.GalleryPane} lays out both. {@link
+ * tellosimulator.view.gallery.RoomPictures} draws the pictures of the cards on a separate thread
+ * and caches them; {@link tellosimulator.view.gallery.RecentFiles} stores the paths of the files.
+ * Everything else is confined to the JavaFX thread. The package does not open the chosen scenario
+ * itself.
  */
 package tellosimulator.view.gallery;

@@ -12,7 +12,6 @@ import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.scene.paint.Color;
@@ -20,15 +19,17 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.GoalState;
+import tellosimulator.goal.PlacedGoal;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
+import tellosimulator.goal.Score;
 import tellosimulator.profile.Behavior;
 import tellosimulator.scenario.Description;
 import tellosimulator.scenario.LocalizedText;
 import tellosimulator.sim.Control;
 import tellosimulator.view.drone.DroneColors;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.FxSimulation;
@@ -38,14 +39,23 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * What the scenario teaches, its goals with their numbers in the room and a time for each that is
- * reached, the time, and how it ended, with what one can try or fly next. Not there if nothing is
- * asked for or said. For the JavaFX thread.
+ * The panel that shows the lesson and the goals of a scenario. Each goal is listed with the number
+ * that marks it in the room, and with the time at which it was reached. The panel also shows the
+ * elapsed time and, at the end, the outcome with advice and the next scenario. The panel is
+ * invisible if there are neither goals nor a lesson. Confined to the JavaFX thread.
  */
 public final class GoalPanel extends VBox {
 
-  /** Width of the panel [px]. Decided: a goal takes two lines at the most, and the room is seen. */
+  /**
+   * Width of the panel [px]. Decided: a goal takes at most two lines, and the room stays visible.
+   */
   private static final double WIDTH = 292;
+
+  /**
+   * Number of lost points that are shown with their reasons. Decided: the latest ones; the report
+   * has all.
+   */
+  private static final int MOST_REASONS = 4;
 
   private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
   private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
@@ -57,25 +67,28 @@ public final class GoalPanel extends VBox {
   private final ObservableValue<Progress> progress;
   private final FxScenario scenario;
   private final List<GoalRow> rows = new ArrayList<>();
-  private final Label name = new Label();
-  private final Label teaches = new Label();
-  private final Label time = new Label();
-  private final Label banner = new Label();
-  private final Label advice = new Label();
-  private final Label rules = new Label();
-  private final Button again = new Button();
-  private final Button next = new Button();
-  private final Button fold = new Button();
-  private final VBox details = new VBox();
-  private final VBox goals = new VBox();
+  private final Label name = Nodes.named(new Label(), "scenario-name", "name");
+  private final Label teaches = Nodes.named(new Label(), "scenario-teaches", "muted");
+  private final Label time = Nodes.unshrinkable(Nodes.named(new Label(), "goal-time"));
+  private final Label score = Nodes.named(new Label(), "goal-score", "score");
+  private final VBox lost = Nodes.named(new VBox(), "goal-lost");
+  private final Label banner = Nodes.named(new Label(), "goal-banner", "banner");
+  private final Label advice = Nodes.named(new Label(), "goal-advice");
+  private final Label rules = Nodes.named(new Label(), "goal-rules", "muted");
+  private final Button again;
+  private final Button course = Nodes.named(new Button(), "goal-course");
+  private final Button next = Nodes.named(new Button(), "goal-next");
+  private final Button fold = Nodes.named(new Button(), "goal-fold", "fold");
+  private final VBox details = Nodes.named(new VBox(), "goal-details", "details");
+  private final VBox goals = Nodes.styled(new VBox(), "goals");
 
-  /** Whether the details are wanted. */
+  /** Whether the details are unfolded. */
   private boolean open = true;
 
-  /** Whether somebody has folded or unfolded the panel himself since the goals began. */
+  /** Whether the user has folded or unfolded the details since the current attempt started. */
   private boolean chosen;
 
-  /** What is there only with goals. */
+  /** The parts that are visible only if there are goals. */
   private List<Region> ofGoals = List.of();
 
   public GoalPanel(ViewContext context) {
@@ -85,92 +98,62 @@ public final class GoalPanel extends VBox {
     messages = language.messages(GoalPanel.class);
     progress = context.scenario().progressProperty();
     scenario = context.scenario();
-    initializeSelf();
+    again =
+        Nodes.button(
+            "goal-again", Feather.ROTATE_CCW, messages.text("again"), messages.text("again.hint"));
+    Nodes.named(this, "goal-panel", "goal-panel");
+    getStylesheets().add(GoalPanel.class.getResource("goal.css").toExternalForm());
+    Nodes.fixWidth(this, WIDTH);
+    setMinHeight(USE_PREF_SIZE);
     initializeParts();
     layoutParts();
-    setupEventHandlers();
     setupBindings();
   }
 
-  /** Puts all drones back to their starts, with which the goals begin anew. */
+  /** Moves all drones back to their starts; this restarts the attempt. */
   public void again() {
     simulation.drones().forEach(drone -> actions.carryOut(new Control.Reset(drone.number())));
   }
 
-  private void initializeSelf() {
-    setId("goal-panel");
-    getStyleClass().add("goal-panel");
-    getStylesheets().add(GoalPanel.class.getResource("goal.css").toExternalForm());
-    setMinWidth(WIDTH);
-    setPrefWidth(WIDTH);
-    setMaxWidth(WIDTH);
-    setMinHeight(USE_PREF_SIZE);
-  }
-
   private void initializeParts() {
-    name.setId("scenario-name");
-    name.getStyleClass().add("name");
-    name.setWrapText(true);
-    name.setMinHeight(USE_PREF_SIZE);
-    name.setMaxWidth(Double.MAX_VALUE);
-    HBox.setHgrow(name, Priority.ALWAYS);
-    teaches.setId("scenario-teaches");
-    teaches.setWrapText(true);
-    teaches.getStyleClass().add("muted");
-    onlyWithText(teaches);
-    time.setId("goal-time");
-    time.setMinWidth(USE_PREF_SIZE);
-    banner.setId("goal-banner");
-    banner.setWrapText(true);
+    Nodes.wrapping(name);
+    Nodes.growing(name);
+    Nodes.wrapping(banner);
     banner.setMaxWidth(Double.MAX_VALUE);
-    banner.setMinHeight(USE_PREF_SIZE);
-    banner.getStyleClass().add("banner");
-    advice.setId("goal-advice");
-    advice.setWrapText(true);
-    onlyWithText(advice);
-    rules.setId("goal-rules");
-    rules.setWrapText(true);
-    rules.getStyleClass().add("muted");
-    onlyWithText(rules);
-    again.setId("goal-again");
-    again.setGraphic(new FontIcon(Feather.ROTATE_CCW));
-    again.setMinWidth(USE_PREF_SIZE);
-    next.setId("goal-next");
+    for (Label label : List.of(teaches, advice, rules, score)) {
+      Nodes.wrapping(label).managedProperty().bind(label.textProperty().isNotEmpty());
+    }
+    again.setOnAction(pressed -> again());
+    course.setGraphic(new FontIcon(Feather.SHUFFLE));
+    course.textProperty().bind(messages.text("course"));
+    course.setOnAction(pressed -> scenario.actions().openNextCourse());
+    course.setMaxWidth(Double.MAX_VALUE);
+    Nodes.setShown(course, scenario.course().isPresent());
     next.setGraphic(new FontIcon(Feather.ARROW_RIGHT));
+    next.textProperty().bind(messages.text("next"));
+    next.setOnAction(pressed -> scenario.next().ifPresent(scenario.actions()::openKnown));
+    fold.setOnAction(pressed -> choose(!details.isVisible()));
     next.setMaxWidth(Double.MAX_VALUE);
-    fold.setId("goal-fold");
-    fold.getStyleClass().add("fold");
-    goals.getStyleClass().add("goals");
-    details.setId("goal-details");
-    details.getStyleClass().add("details");
   }
 
   private void layoutParts() {
-    HBox head = new HBox(name, fold);
-    head.getStyleClass().add("head");
+    HBox head = Nodes.styled(new HBox(name, fold), "head");
     ScrollPane scroll = new ScrollPane(goals);
     scroll.setFitToWidth(true);
-    scroll.setMinViewportHeight(1); // else it is never lower than 36 px
-    scroll.prefViewportHeightProperty().bind(goals.heightProperty()); // with wrapped lines
+    scroll.setMinViewportHeight(1); // otherwise the minimum is 36 px
+    scroll.prefViewportHeightProperty().bind(goals.heightProperty()); // includes wrapped lines
     scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
     scroll.setFocusTraversable(false);
-    HBox attempt = new HBox(time, new Spacer(), again);
-    attempt.getStyleClass().add("attempt");
+    HBox attempt = Nodes.styled(new HBox(time, new Spacer(), Nodes.unshrinkable(again)), "attempt");
     ofGoals = List.of(scroll, attempt);
     details.getChildren().addAll(teaches, scroll, rules);
     getChildren()
-        .addAll(head, attempt, banner, advice, next, details); // long names need the whole width
-  }
-
-  private void setupEventHandlers() {
-    again.setOnAction(pressed -> again());
-    next.setOnAction(pressed -> scenario.next().ifPresent(scenario.actions()::openKnown));
-    fold.setOnAction(pressed -> choose(!details.isVisible()));
+        .addAll( // long names need the whole width
+            head, attempt, score, lost, banner, advice, course, next, details);
   }
 
   /**
-   * Shows what is below the name, or folds it away, unless somebody has chosen himself since the
-   * goals began.
+   * Unfolds or folds the details, unless the user has done so since the current attempt started.
    */
   public void unfold(boolean wanted) {
     if (!chosen) {
@@ -193,7 +176,7 @@ public final class GoalPanel extends VBox {
   }
 
   private void showDetails() {
-    setShown(details, open);
+    Nodes.setShown(details, open);
     fold.setGraphic(new FontIcon(open ? Feather.CHEVRON_UP : Feather.CHEVRON_DOWN));
   }
 
@@ -204,9 +187,6 @@ public final class GoalPanel extends VBox {
         .bind(
             following(description().teaches())
                 .map(what -> what.isEmpty() ? "" : messages.now("learn", what)));
-    again.textProperty().bind(messages.text("again"));
-    next.textProperty().bind(messages.text("next"));
-    Tooltips.install(again, messages.text("again.hint"));
     Tooltips.install(time, messages.text("time.hint"));
     time.accessibleHelpProperty().bind(messages.text("time.hint"));
     fold.accessibleTextProperty().bind(messages.text("fold"));
@@ -237,7 +217,7 @@ public final class GoalPanel extends VBox {
     return scenario.scenario().description();
   }
 
-  /** Another row for each goal. */
+  /** Creates a row for each goal. */
   private void showGoals(Challenge challenge) {
     rows.clear();
     for (int i = 0; i < challenge.goals().size(); i++) {
@@ -247,22 +227,17 @@ public final class GoalPanel extends VBox {
     }
     goals.getChildren().setAll(rows);
     boolean asked = !rows.isEmpty();
-    ofGoals.forEach(part -> setShown(part, asked));
-    setShown(this, asked || !description().teaches().isEmpty());
+    ofGoals.forEach(part -> Nodes.setShown(part, asked));
+    Nodes.setShown(this, asked || !description().teaches().isEmpty());
     show();
   }
 
-  /** What to do and where, as the room is now. */
+  /** Returns a goal's task and place as a text that follows changes to the room. */
   private ObservableValue<String> said(Goal goal) {
     return Bindings.createStringBinding(
-        () -> language.say(GoalMark.task(goal, simulation.arenaProperty().get())),
+        () -> language.say(PlacedGoal.task(goal, simulation.arenaProperty().get())),
         language.localeProperty(),
         simulation.arenaProperty());
-  }
-
-  private static void setShown(Region part, boolean shown) {
-    part.setVisible(shown);
-    part.setManaged(shown);
   }
 
   private String rules() {
@@ -278,13 +253,14 @@ public final class GoalPanel extends VBox {
       all.add(messages.now("takeoff", Math.round(behavior.takeoffHeight() * 100)));
       all.add(messages.now("plan"));
     }
+    scenario.course().ifPresent(seed -> all.add(messages.now("seed", Long.toString(seed))));
     return String.join(" ", all);
   }
 
   private void show() {
     Progress now = progress.getValue();
     if (rows.size() != now.reached().size()) {
-      return; // the rows of other goals follow
+      return; // the rows do not match the new goals yet
     }
     for (int i = 0; i < rows.size(); i++) {
       rows.get(i).show(now.reached().get(i), now.state(i) == GoalState.ACTIVE);
@@ -294,12 +270,12 @@ public final class GoalPanel extends VBox {
         challenge().timeLimit().isPresent()
             ? messages.now("time-of", elapsed, limit(challenge().timeLimit().getAsDouble()))
             : messages.now("time", elapsed));
+    showScore(now);
     Status status = now.status();
     banner.pseudoClassStateChanged(REACHED, status == Status.REACHED);
     banner.pseudoClassStateChanged(FAILED, status == Status.FAILED);
-    banner.setVisible(status != Status.RUNNING);
-    banner.setManaged(status != Status.RUNNING);
-    setShown(next, status == Status.REACHED && scenario.next().isPresent());
+    Nodes.setShown(banner, status != Status.RUNNING);
+    Nodes.setShown(next, status == Status.REACHED && scenario.next().isPresent());
     banner.setText(
         now.failure()
             .map(reason -> messages.now("failed", language.say(reason)))
@@ -307,7 +283,38 @@ public final class GoalPanel extends VBox {
     advice.setText(advice(now));
   }
 
-  /** After a failure what one can try, and what was nearly reached. */
+  /** Shows the points, and why some were lost. */
+  private void showScore(Progress now) {
+    score.setText(
+        now.score()
+            .map(each -> messages.now("score", number(each.points()), number(each.of())))
+            .orElse(""));
+    List<Score.Entry> reasons = now.penaltiesAndBonus();
+    int first = Math.max(0, reasons.size() - MOST_REASONS);
+    List<Label> lines = new ArrayList<>();
+    if (first > 0) {
+      lines.add(new Label(messages.now("score.earlier", first)));
+    }
+    for (Score.Entry entry : reasons.subList(first, reasons.size())) {
+      String points = (entry.points() > 0 ? "+" : "−") + number(Math.abs(entry.points()));
+      String second = seconds(entry.second());
+      String why = language.say(entry.why());
+      Label line = Nodes.wrapping(new Label(messages.now("score.entry", points, second, why)));
+      line.pseudoClassStateChanged(REACHED, entry.points() > 0);
+      lines.add(line);
+    }
+    lost.getChildren().setAll(lines);
+    Nodes.setShown(lost, !lines.isEmpty());
+  }
+
+  private String number(double points) {
+    return language.say(Score.number(points));
+  }
+
+  /**
+   * Returns advice if the attempt has failed, followed by the goal that was narrowly missed, if
+   * any.
+   */
   private String advice(Progress now) {
     String miss = now.miss().map(what -> messages.now("missed", language.say(what))).orElse("");
     return now.status() == Status.FAILED
@@ -315,7 +322,7 @@ public final class GoalPanel extends VBox {
         : miss;
   }
 
-  /** The key of what one can try after a failure. */
+  /** Returns the key of the advice after a failure. */
   private static String adviceAfter(Progress failed) {
     double limit = failed.challenge().timeLimit().orElse(Double.POSITIVE_INFINITY);
     return failed.elapsed() >= limit ? "try.faster" : "try.another-way";
@@ -325,20 +332,16 @@ public final class GoalPanel extends VBox {
     return String.format(language.locale(), "%.1f", seconds);
   }
 
-  /** Without a decimal where it is whole, as it mostly is. */
+  /** Formats a time limit, with a decimal only if it is not whole. */
   private String limit(double seconds) {
     String format = seconds == Math.rint(seconds) ? "%.0f" : "%.1f";
     return String.format(language.locale(), format, seconds);
   }
 
-  private static void onlyWithText(Label label) {
-    label.managedProperty().bind(label.textProperty().isNotEmpty());
-    label.setMinHeight(USE_PREF_SIZE);
-  }
-
   /**
-   * A goal: a square with its number in the room, the task, the drone that must reach it if that is
-   * one, and when it was reached. For the JavaFX thread.
+   * A row for a goal. It shows the number of the goal in a square, as in the room; the task; the
+   * drone, if only one drone may reach the goal; and the time at which the goal was reached.
+   * Confined to the JavaFX thread.
    */
   private static final class GoalRow extends HBox {
 
@@ -347,14 +350,14 @@ public final class GoalPanel extends VBox {
 
     private final Language language;
     private final String styleWhileNext;
-    private final Label mark = new Label();
-    private final Label task = new Label();
+    private final Label mark = Nodes.styled(new Label(), "mark");
+    private final Label task = Nodes.styled(new Label(), "task");
     private final Label time = new Label();
 
     /**
-     * @param index of the goal, from 0
-     * @param color of the only drone that may reach it
-     * @param said what to do
+     * @param index the index of the goal, from 0
+     * @param color the colour of the only drone that may reach the goal; empty if any drone may
+     * @param said the text of the task
      */
     GoalRow(
         int index,
@@ -364,42 +367,51 @@ public final class GoalPanel extends VBox {
         ObservableValue<String> said) {
       this.language = language;
       styleWhileNext = color.map(DroneColors::badge).orElse("");
-      setId("goal-" + (index + 1));
-      getStyleClass().add("goal");
+      Nodes.named(this, "goal-" + (index + 1), "goal");
       mark.setText(Integer.toString(index + 1));
-      mark.getStyleClass().add("mark");
       mark.setMinSize(USE_PREF_SIZE, USE_PREF_SIZE);
       time.setGraphic(new FontIcon(Feather.CHECK));
-      time.visibleProperty().bind(time.textProperty().isNotEmpty());
-      time.managedProperty().bind(time.visibleProperty());
+      Nodes.showIf(time, time.textProperty().isNotEmpty());
       task.textProperty().bind(said);
-      task.getStyleClass().add("task");
-      task.setWrapText(true);
-      task.setMaxWidth(Double.MAX_VALUE);
-      task.setMinHeight(USE_PREF_SIZE);
-      time.setMinWidth(USE_PREF_SIZE);
-      time.getStyleClass().add("time");
-      HBox.setHgrow(task, Priority.ALWAYS);
+      Nodes.growing(Nodes.wrapping(task));
+      Nodes.styled(Nodes.unshrinkable(time), "time");
       getChildren().addAll(mark, task);
       goal.drone().ifPresent(number -> getChildren().add(drone(number, color)));
+      if (goal.terms().points() > 0) {
+        getChildren().add(points(goal.terms().points()));
+      }
       getChildren().add(time);
     }
 
-    /** In full and round, as drones have it in the room, so that it is no goal's number. */
+    /**
+     * Returns the label of the drone that must reach the goal. To be distinguishable from the
+     * number of a goal, the label is rounded and contains the word for "drone" before the number.
+     */
     private Label drone(int number, Optional<Color> color) {
-      Label drone = new Label();
+      Label drone = Nodes.unshrinkable(Nodes.styled(new Label(), "drone"));
       drone.textProperty().bind(language.messages(GoalPanel.class).text("drone", number));
-      drone.getStyleClass().add("drone");
-      drone.setMinWidth(USE_PREF_SIZE);
       drone.setStyle(color.map(DroneColors::badge).orElse(""));
       return drone;
     }
 
+    /** Returns the label of the points: a number with a short unit, as rows are narrow. */
+    private Label points(double points) {
+      Label label = Nodes.unshrinkable(Nodes.styled(new Label(), "points"));
+      Messages messages = language.messages(GoalPanel.class);
+      label
+          .textProperty()
+          .bind(
+              language
+                  .localeProperty()
+                  .map(now -> messages.now("points", language.say(Score.number(points)))));
+      return label;
+    }
+
     /**
-     * Shows how it stands.
+     * Shows the state of the goal.
      *
-     * @param reached after how many seconds it was reached; empty if it was not
-     * @param next whether it can be reached now
+     * @param reached the time at which the goal was reached [s]; empty if it has not been reached
+     * @param next whether the goal can be reached now
      */
     void show(OptionalDouble reached, boolean next) {
       boolean done = reached.isPresent();

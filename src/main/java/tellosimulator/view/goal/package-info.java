@@ -1,9 +1,9 @@
 /**
- * What the drones shall do, in the window.
+ * The panel for the scenario's goals.
  *
- * <p>{@link tellosimulator.view.goal.GoalPanel} shows the goals of the opened scenario, which of
- * them are reached, and whether all of them are. It pulls the newest {@code Progress} once a pulse
- * through {@code FxScenario}. Everything is for the JavaFX thread. Judging is the job of {@code
- * goal}.
+ * <p>{@link tellosimulator.view.goal.GoalPanel} shows the goals of the opened scenario, their
+ * progress, and the outcome. It reads the latest {@code Progress} once per pulse through {@code
+ * FxScenario}. Everything is confined to the JavaFX thread. The goals are evaluated in the package
+ * {@code goal}, not here.
  */
 package tellosimulator.view.goal;

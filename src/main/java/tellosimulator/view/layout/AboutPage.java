@@ -19,74 +19,50 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import tellosimulator.files.IoReason;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
-/** Which program this is, and the licences of all that is in it. For the JavaFX thread. */
+/**
+ * The page with the program's version and the licences of all its parts. Confined to the JavaFX
+ * thread.
+ */
 final class AboutPage extends Page {
 
   private final Messages messages;
   private final Map<String, String> texts = LicenseTexts.all();
-  private final Label purpose = new Label();
-  private final Label versions = new Label();
-  private final Label licenses = new Label();
-  private final ListView<String> documents = new ListView<>();
-  private final TextArea text = new TextArea();
+  private final ListView<String> documents = Nodes.named(new ListView<>(), "about-documents");
+  private final TextArea text = Nodes.named(new TextArea(), "about-text", "document");
 
   AboutPage(ViewContext context) {
-    super(
-        "about-page",
-        "about-page",
-        context.language().messages(AboutPage.class).text("program", version()));
+    super("about-page", context.language().messages(AboutPage.class).text("program", version()));
     messages = context.language().messages(AboutPage.class);
-    initializeParts();
-    layoutParts();
-    setupEventHandlers();
-    setupBindings();
-  }
-
-  private void initializeParts() {
     title().setId("about-title");
-    versions.setId("about-versions");
-    versions.getStyleClass().add("muted");
-    purpose.setWrapText(true);
-    licenses.getStyleClass().addAll(Styles.TEXT_BOLD, "heading");
-    documents.setId("about-documents");
     documents.getItems().setAll(texts.keySet());
     documents.setCellFactory(list -> new DocumentCell());
-    text.setId("about-text");
     text.setEditable(false);
-    text.getStyleClass().add("document");
     addButton("about-close", messages.text("close"));
-  }
-
-  private void layoutParts() {
-    HBox library = new HBox(documents, text);
-    library.getStyleClass().add("library");
-    HBox.setHgrow(text, Priority.ALWAYS);
-    VBox.setVgrow(library, Priority.ALWAYS);
-    layoutPage(purpose, versions, licenses, library);
-  }
-
-  private void setupEventHandlers() {
-    documents
-        .getSelectionModel()
-        .selectedItemProperty()
-        .addListener((observed, before, chosen) -> read(chosen));
+    layoutParts();
+    documents.getSelectionModel().selectedItemProperty().subscribe(this::read);
     documents.getSelectionModel().selectFirst();
   }
 
-  private void setupBindings() {
-    purpose.textProperty().bind(messages.text("purpose"));
-    licenses.textProperty().bind(messages.text("licences"));
-    versions
-        .textProperty()
-        .bind(
+  private void layoutParts() {
+    HBox library = Nodes.styled(new HBox(documents, text), "library");
+    HBox.setHgrow(text, Priority.ALWAYS);
+    VBox.setVgrow(library, Priority.ALWAYS);
+    Label purpose = messages.label("purpose");
+    purpose.setWrapText(true);
+    Label versions =
+        Nodes.label(
             messages.text(
                 "versions",
                 System.getProperty("java.version"),
                 System.getProperty("javafx.runtime.version", "?"),
-                System.getProperty("os.name")));
+                System.getProperty("os.name")),
+            "muted");
+    versions.setId("about-versions");
+    layoutPage(purpose, versions, messages.label("licences", Styles.TEXT_BOLD, "heading"), library);
   }
 
   private void read(String document) {
@@ -95,13 +71,13 @@ final class AboutPage extends Page {
     text.setScrollTop(0);
   }
 
-  /** From the jar's manifest. */
+  /** Returns the version from the jar's manifest, or "development" if there is none. */
   private static String version() {
     return Optional.ofNullable(AboutPage.class.getPackage().getImplementationVersion())
         .orElse("development");
   }
 
-  /** A document by its file's name. */
+  /** A cell that shows a document's name. */
   private final class DocumentCell extends ListCell<String> {
     @Override
     protected void updateItem(String path, boolean empty) {
@@ -118,22 +94,24 @@ final class AboutPage extends Page {
     }
   }
 
-  /** The notice of the program and the licences that it names, as they lie in the jar. */
+  /** Reads the program's notice, and the licences that the notice names, from the jar. */
   private static final class LicenseTexts {
 
-    /** The notice, in the jar. */
+    /** The path of the notice in the jar. */
     static final String NOTICE = "META-INF/NOTICE";
 
-    /** How the notice names a licence. */
+    /** The pattern of a licence's path in the notice. */
     private static final Pattern NAMED =
         Pattern.compile("META-INF/(?:LICENSE|licenses/[\\w.-]*\\w)");
 
-    /** Other jars have files of the same names; ours begin, or go on, with one of these. */
+    /**
+     * The first words of this program's own files. Other jars contain files with the same names.
+     */
     private static final List<String> OURS = List.of("Tello Simulator", "Apache License");
 
     private LicenseTexts() {}
 
-    /** The notice, then each licence that it names, by their paths. */
+    /** Returns the notice and then each licence that it names; the keys are their paths. */
     static Map<String, String> all() {
       Map<String, String> texts = new LinkedHashMap<>();
       read(NOTICE)

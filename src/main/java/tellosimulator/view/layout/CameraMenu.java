@@ -1,9 +1,7 @@
 package tellosimulator.view.layout;
 
 import atlantafx.base.theme.Styles;
-import java.util.EnumMap;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.StringBinding;
@@ -16,6 +14,7 @@ import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.ToggleGroup;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Messages;
 import tellosimulator.view.world.RoomView;
@@ -23,24 +22,16 @@ import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.view.world.ViewCamera;
 
 /**
- * From where one looks: a button with the name of the view, and a menu of all of them with their
- * keys. For the JavaFX thread.
+ * A button with the name of the current view, and a menu of all views with their keys. Confined to
+ * the JavaFX thread.
  */
 final class CameraMenu extends MenuButton {
 
-  /** The texts of a hand's own view and of the drone's camera. */
+  /** The key of the text for a view that was set with the mouse. */
   private static final String OWN = "view-own";
 
+  /** The key of the text for the view of the drone's camera. */
   private static final String DRONE = "view-drone";
-
-  private static final Map<RoomView, WindowKey> KEYS =
-      new EnumMap<>(
-          Map.of(
-              RoomView.START, WindowKey.START_VIEW,
-              RoomView.FRONT, WindowKey.FRONT_VIEW,
-              RoomView.SIDE, WindowKey.SIDE_VIEW,
-              RoomView.TOP, WindowKey.TOP_VIEW,
-              RoomView.CHASE, WindowKey.CHASE_VIEW));
 
   private final Messages messages;
   private final Simulator3DScene scene;
@@ -52,8 +43,7 @@ final class CameraMenu extends MenuButton {
     this.messages = messages;
     this.scene = scene;
     this.view = scene.camera().viewProperty();
-    setId("camera");
-    getStyleClass().addAll(Styles.FLAT, Styles.SMALL);
+    Nodes.named(this, "camera", Styles.FLAT, Styles.SMALL);
     Tooltips.install(this, messages.text("camera-tip"));
     StringBinding name = messages.text(OWN);
     textProperty()
@@ -62,7 +52,7 @@ final class CameraMenu extends MenuButton {
                 () -> messages.now(shownKey()), name, view, scene.viewCameraProperty()));
     accessibleTextProperty().bind(messages.text("camera-accessible", textProperty()));
     for (RoomView each : RoomView.values()) {
-      add(key(each), KEYS.get(each), () -> scene.look(each));
+      add(key(each), WindowKey.of(each), () -> scene.look(each));
     }
     add(DRONE, WindowKey.DRONE_CAMERA, () -> scene.viewCameraProperty().set(ViewCamera.DRONE));
     MenuItem fit = named(new MenuItem(), "menu-fit", WindowKey.FIT);
@@ -95,7 +85,7 @@ final class CameraMenu extends MenuButton {
     return item;
   }
 
-  /** Marks what is seen; nothing while a hand's own view is. */
+  /** Selects the item of the current view, or no item if the view was set with the mouse. */
   private void mark() {
     String shown = shownKey();
     views.selectToggle(

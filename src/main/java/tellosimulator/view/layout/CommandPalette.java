@@ -8,61 +8,54 @@ import javafx.scene.control.TextField;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * A field in which one types what the window shall do, and below it what fits; Enter or a click
- * does it. For the JavaFX thread.
+ * A search field for commands with a list of matches below it; Enter or a click runs the selected
+ * command. Confined to the JavaFX thread.
  */
 final class CommandPalette extends VBox {
 
   private static final double WIDTH = 560;
 
-  /** Height of the list [px]. Decided: ten commands. */
+  /** Height of the list [px]. Decided: fits ten commands. */
   private static final double LIST_HEIGHT = 330;
 
   private final Messages messages;
   private final WindowCommands commands;
   private final Runnable close;
-  private final TextField field = new TextField();
-  private final ListView<WindowCommand> list = new ListView<>();
+  private final TextField field = Nodes.named(new TextField(), "command-search");
+  private final ListView<WindowCommand> list = Nodes.named(new ListView<>(), "command-list");
 
   /**
-   * @param close hides it
+   * @param close hides the palette
    */
   CommandPalette(Language language, WindowCommands commands, Runnable close) {
     this.messages = language.messages(CommandPalette.class);
     this.commands = commands;
     this.close = close;
-    initializeSelf();
+    Nodes.named(this, "command-palette", "page", "command-palette");
+    getStylesheets().add(Page.class.getResource("pages.css").toExternalForm());
+    setMaxSize(WIDTH, USE_PREF_SIZE);
     initializeParts();
     setupEventHandlers();
     search();
   }
 
-  /** Where one types. */
+  /** Returns the search field. */
   TextField field() {
     return field;
   }
 
-  private void initializeSelf() {
-    setId("command-palette");
-    getStyleClass().addAll("page", "command-palette");
-    getStylesheets().add(Page.class.getResource("pages.css").toExternalForm());
-    setMaxSize(WIDTH, USE_PREF_SIZE);
-  }
-
   private void initializeParts() {
-    field.setId("command-search");
     field.promptTextProperty().bind(messages.text("commands-prompt"));
     field.accessibleTextProperty().bind(messages.text("key-commands"));
     field.accessibleHelpProperty().bind(messages.text("commands-prompt"));
-    list.setId("command-list");
     list.setPrefHeight(LIST_HEIGHT);
-    list.setFocusTraversable(false); // its keys are those of the field
+    list.setFocusTraversable(false); // the search field handles the list's keys
     list.accessibleTextProperty().bind(messages.text("key-commands"));
     list.setCellFactory(view -> new CommandCell());
     list.setPlaceholder(messages.label("commands-none"));
@@ -78,7 +71,7 @@ final class CommandPalette extends VBox {
         .subscribe(
             focused -> {
               if (focused) {
-                Platform.runLater(field::end); // or what was typed already would be selected
+                Platform.runLater(field::end); // otherwise the text typed so far would be selected
               }
             });
     addEventFilter(KeyEvent.KEY_PRESSED, this::press);
@@ -119,7 +112,10 @@ final class CommandPalette extends VBox {
     }
   }
 
-  /** Closed first: what it does may open something else, or take the focus. */
+  /**
+   * Runs the selected command. Closes the palette first, because the command may open another page
+   * or take the focus.
+   */
   private void run() {
     WindowCommand chosen = list.getSelectionModel().getSelectedItem();
     if (chosen != null) {
@@ -128,22 +124,17 @@ final class CommandPalette extends VBox {
     }
   }
 
-  /** A command with its group and its key. */
+  /** A cell that shows a command with its group and its key. */
   private final class CommandCell extends ListCell<WindowCommand> {
 
     private final Label title = new Label();
-    private final Label group = new Label();
-    private final Label key = new Label();
-    private final HBox parts = new HBox(title, group, key);
+    private final Label group = Nodes.styled(new Label(), "muted");
+    private final Label key = Nodes.styled(new Label(), "key-name");
+    private final HBox parts = Nodes.styled(new HBox(title, group, key), "command-row");
 
     CommandCell() {
-      parts.getStyleClass().add("command-row");
-      group.getStyleClass().add("muted");
-      key.getStyleClass().add("key-name");
-      key.setMinWidth(USE_PREF_SIZE);
-      key.managedProperty().bind(key.visibleProperty());
-      title.setMaxWidth(Double.MAX_VALUE);
-      HBox.setHgrow(title, Priority.ALWAYS);
+      Nodes.collapsible(Nodes.unshrinkable(key));
+      Nodes.growing(title);
       setPrefWidth(0); // never wider than the list
     }
 

@@ -1,7 +1,6 @@
 package tellosimulator.view.layout;
 
 import atlantafx.base.theme.Styles;
-import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -15,16 +14,17 @@ import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import tellosimulator.view.controls.FirstProgram;
 import tellosimulator.view.controls.NetworkControls;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.SteeringKey;
 import tellosimulator.view.text.Messages;
 
 /**
- * First steps with a first program, and everything that mouse and keys do. For the JavaFX thread.
+ * The page with the first steps, a first program, and the actions of mouse and keys. Confined to
+ * the JavaFX thread.
  */
 final class HelpPage extends Page {
 
@@ -45,7 +45,7 @@ final class HelpPage extends Page {
   private final TabPane tabs = new TabPane();
 
   HelpPage(ViewContext context) {
-    super("help-page", "help-page", context.language().messages(HelpPage.class).text("help"));
+    super("help-page", context.language().messages(HelpPage.class).text("help"));
     this.context = context;
     messages = context.language().messages(HelpPage.class);
     steering = context.language().messages(SteeringKey.class);
@@ -57,12 +57,10 @@ final class HelpPage extends Page {
     layoutParts();
   }
 
-  /** Takes over where the selected drone is to be reached. */
+  /** Updates the address of the selected drone. */
   void refresh() {
     int drone = context.simulation().selected().number();
-    InetSocketAddress used = program.fly(context.actions().addresses(drone));
-    String host = used.getAddress().getHostAddress();
-    address.set(used.getPort() == 0 ? host : host + ":" + used.getPort());
+    address.set(program.fly(context.actions().addresses(drone)));
   }
 
   private void layoutParts() {
@@ -83,10 +81,9 @@ final class HelpPage extends Page {
     layoutPage(tabs);
   }
 
-  /** What is read at one time, side by side. */
+  /** Adds a tab with columns side by side. */
   private void addTab(String key, Node... columns) {
-    HBox content = new HBox(columns);
-    content.getStyleClass().add("columns");
+    HBox content = Nodes.styled(new HBox(columns), "columns");
     for (Node column : columns) {
       column.getStyleClass().add("column");
     }
@@ -98,8 +95,7 @@ final class HelpPage extends Page {
   }
 
   private Node steps() {
-    VBox all = new VBox(heading("first-steps"));
-    all.getStyleClass().add("steps");
+    VBox all = Nodes.styled(new VBox(heading("first-steps")), "steps");
     STEPS.forEach(step -> all.getChildren().add(wrapped(step)));
     Label next = heading("first-program");
     next.getStyleClass().add("next");
@@ -107,7 +103,7 @@ final class HelpPage extends Page {
     return all;
   }
 
-  /** What a key or a button is called, and what it does. */
+  /** A row of a table: the name of a key or mouse button, and its action. */
   private record Row(String id, ObservableValue<String> key, ObservableValue<String> meaning) {}
 
   private Row mouseRow(String key) {
@@ -134,44 +130,35 @@ final class HelpPage extends Page {
   }
 
   private Node table(String headingKey, Stream<Row> rows) {
-    GridPane table = new GridPane();
-    table.getStyleClass().add("key-table");
+    GridPane table = Nodes.styled(new GridPane(), "key-table");
     rows.forEach(row -> addRow(table, row));
     return new VBox(heading(headingKey), table);
   }
 
   private static void addRow(GridPane table, Row row) {
-    Label key = new Label();
+    Label key = Nodes.unshrinkable(Nodes.label(row.key(), "key-name"));
     key.setId("help-" + row.id());
-    key.textProperty().bind(row.key());
-    key.getStyleClass().add("key-name");
-    key.setMinWidth(Region.USE_PREF_SIZE);
-    Label meaning = new Label();
-    meaning.textProperty().bind(row.meaning());
-    meaning.setWrapText(true);
-    meaning.setMinHeight(Region.USE_PREF_SIZE);
     GridPane.setValignment(key, VPos.TOP);
-    table.addRow(table.getRowCount(), key, meaning);
+    table.addRow(table.getRowCount(), key, Nodes.wrapping(Nodes.label(row.meaning())));
   }
 
   private Label heading(String key) {
     return messages.label(key, Styles.TEXT_BOLD, "heading");
   }
 
-  /** A text that names the address and buttons, as they are called on the buttons. */
+  /**
+   * Returns a label with wrapped text. The address and the labels of buttons are inserted into the
+   * text.
+   */
   private Label wrapped(String key) {
-    Label text = new Label();
-    text.setId("help-" + key);
-    text.textProperty()
-        .bind(
+    Label text =
+        Nodes.label(
             messages.text(
                 key,
                 address,
                 panels.text("power.start"),
                 steering.text("demo-IDLE"),
                 steering.text("keyboard-flight")));
-    text.setWrapText(true);
-    text.setMinHeight(Region.USE_PREF_SIZE);
-    return text;
+    return Nodes.wrapping(Nodes.named(text, "help-" + key));
   }
 }

@@ -5,7 +5,6 @@ import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javafx.event.EventHandler;
 import javafx.scene.Scene;
@@ -16,10 +15,10 @@ import javafx.stage.Window;
 import javafx.util.Subscription;
 
 /**
- * Binds keys of a window to actions. Keys that could be typed into a text field do nothing while
- * one has the focus. A key that is held acts once, although the system repeats it: to show and hide
- * something takes longer than from one repetition to the next, so that the window would do nothing
- * else any more. For the JavaFX thread.
+ * Binds keys of a window to actions. Keys that can be typed into a text field are ignored while a
+ * text field has the focus. A held key acts only once: showing or hiding a part of the window takes
+ * longer than the system's repeat interval, so repeated actions would block the window. Confined to
+ * the JavaFX thread.
  */
 public final class KeyBindings {
 
@@ -27,13 +26,13 @@ public final class KeyBindings {
   private final Set<KeyCode> held = EnumSet.noneOf(KeyCode.class);
   private boolean repeated;
 
-  /** Lets a key do something. */
+  /** Binds a key to an action. */
   public KeyBindings on(WindowKey key, Runnable action) {
     actions.put(key, action);
     return this;
   }
 
-  /** What keys do, in the order of the keys. */
+  /** Returns the actions in the order of {@link WindowKey}. */
   Map<WindowKey, Runnable> actions() {
     return Collections.unmodifiableMap(actions);
   }
@@ -52,7 +51,7 @@ public final class KeyBindings {
         scene
             .windowProperty()
             .flatMap(Window::focusedProperty)
-            .subscribe(focused -> held.clear()); // releases went elsewhere
+            .subscribe(focused -> held.clear()); // the releases went to another window
     scene.addEventFilter(KeyEvent.KEY_PRESSED, always);
     scene.addEventFilter(KeyEvent.KEY_RELEASED, released);
     scene.addEventHandler(KeyEvent.KEY_PRESSED, unlessTyping);
@@ -65,19 +64,15 @@ public final class KeyBindings {
   }
 
   private void act(KeyEvent event, Predicate<WindowKey> wanted) {
-    Consumer<Runnable> run =
-        action -> {
-          event.consume();
-          if (!repeated) {
-            action.run();
-          }
-        };
-    actions.keySet().stream()
-        .filter(wanted)
-        .filter(key -> key.matches(event))
-        .findFirst()
-        .map(actions::get)
-        .ifPresent(run);
+    for (WindowKey key : actions.keySet()) {
+      if (wanted.test(key) && key.matches(event)) {
+        event.consume();
+        if (!repeated) {
+          actions.get(key).run();
+        }
+        return;
+      }
+    }
   }
 
   private static boolean isTyping(Scene scene) {

@@ -8,12 +8,13 @@ import javafx.scene.control.Labeled;
 import javafx.scene.control.ToolBar;
 
 /**
- * A bar of buttons with icons that have words beside them where there is room: all of a group, or
- * none, the most important groups first. For the JavaFX thread.
+ * A bar of buttons that have labels beside their icons if there is space. Either all buttons of a
+ * group have labels or none. The most important groups get labels first. Confined to the JavaFX
+ * thread.
  */
 public class LabeledToolBar extends ToolBar {
 
-  /** The ids of the buttons that have words together, the most important groups first. */
+  /** The ids of the buttons in each group. The groups are in order of decreasing importance. */
   private static final List<List<String>> GROUPS =
       List.of(
           List.of("scenarios"),
@@ -22,18 +23,18 @@ public class LabeledToolBar extends ToolBar {
           List.of("show-inset", "show-trail", "show-goal-line", "show-drones", "show-plan"),
           List.of("scenario-file"));
 
-  /** What stays free between the buttons at the left and at the right [px]. Decided: by eye. */
+  /** Space kept free between the buttons at the left and at the right [px]. Decided: by eye. */
   private static final double GAP = 24;
 
-  /** Between two items [px]; that of the style sheet. */
+  /** Gap between two items [px], as in the style sheet. */
   private static final double SPACING = 3;
 
-  /** All on which the room for words depends. */
+  /** The values on which the space for labels depends. */
   private record Need(double width, List<String> shown) {}
 
   private Optional<Need> fitted = Optional.empty();
 
-  /** A bar of these. */
+  /** Creates a bar with the given items. */
   public LabeledToolBar(Node... items) {
     super(items);
   }
@@ -41,7 +42,7 @@ public class LabeledToolBar extends ToolBar {
   @Override
   protected void layoutChildren() {
     Need need = need();
-    if (!fitted.equals(Optional.of(need))) { // setting words asks for another layout
+    if (!fitted.equals(Optional.of(need))) { // setting labels requests another layout
       fitted = Optional.of(need);
       fit();
     }
@@ -65,7 +66,7 @@ public class LabeledToolBar extends ToolBar {
       double before = width(group);
       show(group, ContentDisplay.LEFT);
       double more = width(group) - before;
-      if (more > room) { // a lesser group that is narrower would look like chance
+      if (more > room) { // labels of a less important, narrower group would look arbitrary
         show(group, ContentDisplay.GRAPHIC_ONLY);
         return;
       }
@@ -88,7 +89,7 @@ public class LabeledToolBar extends ToolBar {
         .findFirst();
   }
 
-  /** What all items take [px]. */
+  /** Returns the width of all items [px]. */
   private double width() {
     List<Node> shown = getItems().stream().filter(Node::isManaged).toList();
     return width(shown) + SPACING * Math.max(0, shown.size() - 1);

@@ -7,31 +7,35 @@ import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
+import tellosimulator.view.fx.Nodes;
 
-/** A page that lies over the window: a title, content, and buttons below. For the JavaFX thread. */
+/**
+ * A page over the window: a title, the content, and a row of buttons. Confined to the JavaFX
+ * thread.
+ */
 abstract class Page extends VBox {
 
-  private final Label title = new Label();
-  private final HBox buttons = new HBox();
+  private final Label title = Nodes.styled(new Label(), Styles.TITLE_3);
+  private final HBox buttons = Nodes.styled(new HBox(), "page-buttons");
 
-  Page(String id, String styleClass, ObservableValue<String> caption) {
-    setId(id);
-    getStyleClass().addAll("page", styleClass);
+  /**
+   * @param id the id of the page and its style class
+   */
+  Page(String id, ObservableValue<String> caption) {
+    Nodes.named(this, id, "page", id);
     getStylesheets().add(Page.class.getResource("pages.css").toExternalForm());
     title.textProperty().bind(caption);
     title.setWrapText(true);
-    title.getStyleClass().add(Styles.TITLE_3);
-    buttons.getStyleClass().add("page-buttons");
   }
 
-  /** Lays out everything; to be called once. */
+  /** Lays out the page; must be called once. */
   final void layoutPage(Node... content) {
     getChildren().add(title);
     getChildren().addAll(content);
     getChildren().add(buttons);
   }
 
-  /** Adds a button; the first one is the default. */
+  /** Adds a button; the first is the default button. */
   final Button addButton(String id, ObservableValue<String> text) {
     Button button = new Button();
     button.setId(id);
@@ -45,7 +49,7 @@ abstract class Page extends VBox {
     return title;
   }
 
-  /** What has the focus when it opens. */
+  /** Returns the node that has the focus when the page opens. */
   Node firstFocus() {
     return defaultButton();
   }

@@ -2,24 +2,23 @@ package tellosimulator.view.layout;
 
 import java.util.List;
 import javafx.scene.control.Label;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
-/** A question with a button for each answer. For the JavaFX thread. */
+/** A question with a button for each answer. Confined to the JavaFX thread. */
 public final class QuestionPage extends Page {
 
   /**
-   * @param close lets go of the page
+   * @param close closes the page
    */
   QuestionPage(ViewContext context, Question question, Runnable close) {
     super(
         "question-page",
-        "question-page",
         context.language().messages(QuestionPage.class).text(question.key(), question.subject()));
     Messages messages = context.language().messages(QuestionPage.class);
     setMaxHeight(USE_PREF_SIZE);
-    Label text = new Label();
-    text.textProperty().bind(messages.text(question.key() + "-text", question.subject()));
+    Label text = Nodes.label(messages.text(question.key() + "-text", question.subject()));
     text.setWrapText(true);
     for (Question.Answer answer : question.answers()) {
       addButton(answer.key(), messages.text(answer.key()))
@@ -33,20 +32,20 @@ public final class QuestionPage extends Page {
   }
 
   /**
-   * Something to be decided before it goes on. Each answer closes it; so does Esc, which does
-   * nothing else.
+   * A question to the user. Each answer closes the page; Esc closes it without any action.
    *
-   * @param key of its title in this package's messages; that of its text ends with {@code -text}
-   * @param subject what it is about, for the texts
-   * @param answers the first is the usual one
+   * @param key the key of the title in this package's messages; the key of the text has the suffix
+   *     {@code -text}
+   * @param subject the subject of the question, inserted into the texts
+   * @param answers the answers; the first one is the default
    */
   public record Question(String key, String subject, List<Answer> answers) {
 
     /**
      * An answer.
      *
-     * @param key of its text, and id of its button
-     * @param action what it does
+     * @param key the key of its text, and the id of its button
+     * @param action the action to run
      */
     public record Answer(String key, Runnable action) {}
 

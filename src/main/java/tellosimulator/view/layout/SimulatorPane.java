@@ -14,70 +14,65 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import tellosimulator.view.fx.Nodes;
+import tellosimulator.view.layout.WindowState.Flag;
 
 /**
- * The frame of the window: simulator controls at the left, network controls at the right, log
- * below, the 3D scene in the middle. In full-screen the scene fills everything and the other parts
- * lie over it, those at the sides no higher than they need.
+ * The frame of the window, with simulator controls at the left, network controls at the right, the
+ * log below, and the 3D scene in the middle. In full screen, the scene fills the window, and the
+ * other parts lie over it. The parts at the sides then have their preferred height. Confined to the
+ * JavaFX thread.
  */
 public final class SimulatorPane extends BorderPane {
 
-  /** Between what lies over the scene and the scene's edge [px]. */
+  /** Gap between the floating parts, and between them and the scene's edge [px]. */
   private static final double FLOATING_GAP = 10;
 
-  /** What the log always leaves to the scene [px]. */
+  /** Minimum height of the scene [px]. It limits the height of the log. */
   private static final double LEAST_SCENE_HEIGHT = 200;
 
-  /** The parts of the window, by their places. */
+  /** The parts of the window by their position. */
   public record Parts(
       Region bar, Middle middle, Region simulatorControls, Region networkControls, Region log) {}
 
   /**
-   * What is in the middle.
+   * The parts in the middle.
    *
-   * @param aside lies over the scene, in its upper left corner
-   * @param notice lies over the scene, above {@code pilot}
-   * @param pilot flies the drone; lies over the scene, at its lower edge
-   * @param plan lies over all of them while it is visible
+   * @param aside a part over the scene, in its upper left corner
+   * @param notice a part over the scene, above {@code pilot}
+   * @param pilot the flight controls, over the scene at its lower edge
+   * @param plan the plan editor, which covers all other parts while it is visible
    */
   public record Middle(Region scene, Region aside, Region notice, Region pilot, Region plan) {}
 
   private final Parts parts;
   private final WindowState state;
   private final StackPane middle = new StackPane();
-  private final BorderPane overlay = new BorderPane();
+  private final BorderPane overlay = Nodes.styled(new BorderPane(), "overlay");
 
-  /** Where nothing lies over the scene but what floats there. */
+  /** The area of the scene that only floating parts cover. */
   private final StackPane free = new StackPane();
 
-  private final Region logHandle = new Region();
-  private final VBox bottom = new VBox();
+  private final Region logHandle = Nodes.named(new Region(), "log-handle", "log-handle");
+  private final VBox bottom = Nodes.styled(new VBox(), "panel");
 
   public SimulatorPane(Parts parts, WindowState state) {
     this.parts = parts;
     this.state = state;
-    initializeSelf();
+    setId("simulator-pane");
+    getStylesheets().add(SimulatorPane.class.getResource("layout.css").toExternalForm());
+    overlay.setPickOnBounds(false);
+    middle.setMinSize(0, 0);
     layoutParts();
     setupEventHandlers();
     setupBindings();
   }
 
-  private void initializeSelf() {
-    setId("simulator-pane");
-    getStylesheets().add(SimulatorPane.class.getResource("layout.css").toExternalForm());
-    overlay.getStyleClass().add("overlay");
-    overlay.setPickOnBounds(false);
-    middle.setMinSize(0, 0);
-  }
-
   private void layoutParts() {
-    logHandle.setId("log-handle");
-    logHandle.getStyleClass().add("log-handle");
     logHandle.setCursor(Cursor.V_RESIZE);
     parts.log().setMinHeight(0);
     VBox.setVgrow(parts.log(), Priority.ALWAYS);
     bottom.getChildren().setAll(logHandle, parts.log());
-    bottom.getStyleClass().add("panel");
     for (Node side : new Node[] {parts.simulatorControls(), parts.networkControls()}) {
       side.getStyleClass().add("panel");
       BorderPane.setAlignment(side, Pos.TOP_CENTER);
@@ -86,10 +81,10 @@ public final class SimulatorPane extends BorderPane {
     overlay.setCenter(free);
     middle.getChildren().setAll(parts.middle().scene(), overlay);
     setCenter(middle);
-    arrange(state.fullScreenProperty().get());
+    arrange(state.flag(Flag.FULL_SCREEN).get());
   }
 
-  /** What lies over the scene and moves aside for nothing. */
+  /** Lays out the parts that float over the scene. */
   private void layoutFree() {
     Region aside = parts.middle().aside();
     Region pilot = parts.middle().pilot();
@@ -113,7 +108,7 @@ public final class SimulatorPane extends BorderPane {
     free.setMinSize(0, 0);
     floating
         .visibleProperty()
-        .bind(parts.middle().plan().visibleProperty().not().and(state.projectorProperty().not()));
+        .bind(parts.middle().plan().visibleProperty().not().and(state.flag(Flag.PROJECTOR).not()));
   }
 
   private void setupEventHandlers() {
@@ -127,18 +122,17 @@ public final class SimulatorPane extends BorderPane {
   }
 
   private void setupBindings() {
-    state.fullScreenProperty().subscribe(this::arrange);
-    BooleanBinding usual = state.projectorProperty().not();
-    show(parts.bar(), usual);
-    show(parts.simulatorControls(), state.simulatorControlsShownProperty().and(usual));
-    show(parts.networkControls(), state.networkControlsShownProperty().and(usual));
-    show(bottom, usual);
-    logHandle.visibleProperty().bind(state.logOpenProperty());
-    logHandle.managedProperty().bind(logHandle.visibleProperty());
+    state.flag(Flag.FULL_SCREEN).subscribe(this::arrange);
+    BooleanBinding usual = state.flag(Flag.PROJECTOR).not();
+    Nodes.showIf(parts.bar(), usual);
+    Nodes.showIf(parts.simulatorControls(), state.flag(Flag.SIMULATOR_CONTROLS).and(usual));
+    Nodes.showIf(parts.networkControls(), state.flag(Flag.NETWORK_CONTROLS).and(usual));
+    Nodes.showIf(bottom, usual);
+    Nodes.showIf(logHandle, state.flag(Flag.LOG));
     bottom
         .prefHeightProperty()
         .bind(
-            Bindings.when(state.logOpenProperty())
+            Bindings.when(state.flag(Flag.LOG))
                 .then(state.logHeightProperty())
                 .otherwise(USE_COMPUTED_SIZE));
     parts
@@ -156,7 +150,7 @@ public final class SimulatorPane extends BorderPane {
                 overlay.heightProperty()));
   }
 
-  /** What bar and log leave to the parts at the sides [px]. */
+  /** Returns the height that the bar and the log leave for the parts at the sides [px]. */
   public DoubleBinding sideHeight() {
     return Bindings.createDoubleBinding(
         () -> getHeight() - parts.bar().getHeight() - (bottom.isVisible() ? bottom.getHeight() : 0),
@@ -166,12 +160,12 @@ public final class SimulatorPane extends BorderPane {
         bottom.heightProperty());
   }
 
-  /** Width of the scene where nothing but what floats there lies over it [px]. */
+  /** Width of the area of the scene that only floating parts cover [px]. */
   public ReadOnlyDoubleProperty freeWidthProperty() {
     return free.widthProperty();
   }
 
-  /** What the other parts cover of the scene at each side, which fills everything below them. */
+  /** Returns how much of the scene the other parts cover at each edge in full screen [px]. */
   private Insets covered() {
     double right = overlay.getWidth() - free.getLayoutX() - free.getWidth();
     double bottom = overlay.getHeight() - free.getLayoutY() - free.getHeight();
@@ -180,11 +174,6 @@ public final class SimulatorPane extends BorderPane {
         Math.max(0, right),
         Math.max(0, bottom),
         Math.max(0, free.getLayoutX()));
-  }
-
-  private static void show(Node part, BooleanBinding shown) {
-    part.visibleProperty().bind(shown);
-    part.managedProperty().bind(shown);
   }
 
   private void resizeLog(MouseEvent drag) {

@@ -4,7 +4,7 @@ import atlantafx.base.theme.PrimerDark;
 import atlantafx.base.theme.PrimerLight;
 import javafx.scene.paint.Color;
 
-/** How the window looks. */
+/** The window's themes. */
 public enum Theme {
   LIGHT(new PrimerLight().getUserAgentStylesheet(), Color.WHITE),
   DARK(new PrimerDark().getUserAgentStylesheet(), Color.web("#0d1117"));
@@ -17,12 +17,12 @@ public enum Theme {
     this.background = background;
   }
 
-  /** What the window shows before it is drawn for the first time: the theme's background. */
+  /** Returns the colour shown before the window is first drawn: the theme's background. */
   public Color background() {
     return background;
   }
 
-  /** For {@code Application.setUserAgentStylesheet}. */
+  /** Returns the address of the style sheet, for {@code Application.setUserAgentStylesheet}. */
   public String stylesheet() {
     return stylesheet;
   }

@@ -2,9 +2,9 @@ package tellosimulator.view.layout;
 
 import java.util.OptionalDouble;
 
-/** How large everything in the window is drawn. JavaFX takes it only when it starts. */
+/** The scale of everything in the window. JavaFX reads it only at startup. */
 enum UiScale {
-  /** As the system says. */
+  /** The system's scale. */
   SYSTEM(OptionalDouble.empty()),
   PERCENT_100(OptionalDouble.of(1)),
   PERCENT_125(OptionalDouble.of(1.25)),
@@ -12,7 +12,7 @@ enum UiScale {
   PERCENT_200(OptionalDouble.of(2)),
   PERCENT_300(OptionalDouble.of(3));
 
-  /** Pixels of the screen for a pixel of the window; empty for what the system says. */
+  /** Screen pixels per window pixel; empty for the system's scale. */
   private final OptionalDouble factor;
 
   UiScale(OptionalDouble factor) {
@@ -20,8 +20,8 @@ enum UiScale {
   }
 
   /**
-   * Lets JavaFX start with this scale; to be called before it starts. On macOS the system alone
-   * decides.
+   * Sets the scale for JavaFX. Must be called before JavaFX starts. On macOS, only the system's
+   * scale applies.
    */
   void apply() {
     factor.ifPresent(

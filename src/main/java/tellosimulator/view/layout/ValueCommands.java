@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import javafx.beans.value.ObservableValue;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.FaultText;
@@ -20,12 +21,12 @@ import tellosimulator.view.text.Messages;
 import tellosimulator.world.Wind;
 
 /**
- * The commands that have a value, which one types: {@code wind 2}, {@code speed 5}, {@code battery
- * 40}, {@code drone 3}, {@code fault loss state 20%}. For the JavaFX thread.
+ * The commands with a typed value, such as {@code wind 2}, {@code speed 5}, {@code battery 40},
+ * {@code drone 3}, {@code fault loss state 20%}. Confined to the JavaFX thread.
  */
 final class ValueCommands {
 
-  /** A mean wind below this blows nowhere [m/s]. */
+  /** Mean wind speed below which the wind has no direction [m/s]. */
   private static final double CALM = 1e-6;
 
   private final ViewContext context;
@@ -36,7 +37,10 @@ final class ValueCommands {
     this.messages = messages;
   }
 
-  /** What a word and a value ask for; empty if that is none of these, or the value is none. */
+  /**
+   * Returns the command for a typed word and value; empty if there is no command for the word or if
+   * the value is invalid.
+   */
   Optional<WindowCommand> read(String typed) {
     int blank = typed.indexOf(' ');
     if (blank < 0) {
@@ -64,12 +68,15 @@ final class ValueCommands {
     return means("verbs-fault", verb) ? fault(value) : Optional.empty();
   }
 
-  /** Both languages' words do it, whichever is chosen. */
+  /** Returns whether a verb matches. The words of both languages are accepted. */
   private boolean means(String key, String verb) {
     return Arrays.asList(messages.now(key).split(" ")).contains(verb);
   }
 
-  /** A number as people type it, with a unit or without. */
+  /**
+   * Parses a number as users type it, with or without a unit; empty if it is invalid or out of
+   * range.
+   */
   private static Optional<Double> number(String value, double least, double most) {
     String digits = value.replace(',', '.').replaceFirst("\\s*(m/s|%|x|×)$", "");
     try {
@@ -80,10 +87,10 @@ final class ValueCommands {
   }
 
   /**
-   * Another wind, with the direction and the gusts that it has; a calm begins to blow towards the
-   * front wall.
+   * Returns the command that sets the wind's speed and keeps its direction and gusts. If there was
+   * no wind, the new wind blows towards the front wall.
    *
-   * @param speed [m/s]
+   * @param speed the new speed [m/s]; 0 ends the gusts, too
    */
   WindowCommand wind(double speed) {
     ObservableValue<String> title =
@@ -101,26 +108,22 @@ final class ValueCommands {
     context.actions().carryOut(new Control.SetWind(new Wind(direction.times(speed), gusts)));
   }
 
-  /** Another speed of simulated time. */
+  /** Returns the command that sets the speed of simulated time. */
   WindowCommand timeFactor(TimeFactor factor) {
     ObservableValue<String> title =
         factor.unlimited()
             ? messages.text("command-time-max")
             : text(factor.value(), number -> messages.text("command-time", number));
     String aliases = "time speed " + (factor.unlimited() ? "max" : plain(factor.value()));
-    return WindowCommand.of(
-        Group.TIME,
-        title,
-        aliases,
-        () -> context.actions().carryOut(new Control.SetTimeFactor(factor)));
+    return sending(Group.TIME, title, aliases, () -> new Control.SetTimeFactor(factor));
   }
 
   private WindowCommand battery(double percent) {
-    return WindowCommand.of(
+    return sending(
         Group.DRONE,
         text(percent, number -> messages.text("command-battery", number)),
         "",
-        () -> context.actions().carryOut(new Control.SetBattery(selected().number(), percent)));
+        () -> new Control.SetBattery(selected().number(), percent));
   }
 
   private WindowCommand drone(int number) {
@@ -143,21 +146,26 @@ final class ValueCommands {
           .filter(known -> exists)
           .map(
               known ->
-                  WindowCommand.of(
+                  sending(
                       Group.FAULTS,
                       messages.text("command-fault", known.text()),
                       "",
-                      () -> context.actions().carryOut(new Control.InjectFault(known))));
+                      () -> new Control.InjectFault(known)));
     } catch (FaultTextException e) {
-      return Optional.empty(); // not yet typed to its end
+      return Optional.empty(); // not completely typed yet
     }
+  }
+
+  private WindowCommand sending(
+      Group group, ObservableValue<String> title, String aliases, Supplier<Control> control) {
+    return WindowCommand.of(group, title, aliases, () -> context.actions().carryOut(control.get()));
   }
 
   private FxDroneModel selected() {
     return context.simulation().selected();
   }
 
-  /** A text with a number as the language writes it. */
+  /** Returns a text with a number formatted for the language. */
   private ObservableValue<String> text(
       double number, Function<String, ObservableValue<String>> text) {
     return context
@@ -170,7 +178,7 @@ final class ValueCommands {
                         .format(number)));
   }
 
-  /** A number as programs write it. */
+  /** Formats a number independently of the language. */
   private static String plain(double number) {
     return new DecimalFormat("0.##", DecimalFormatSymbols.getInstance(Locale.ROOT)).format(number);
   }

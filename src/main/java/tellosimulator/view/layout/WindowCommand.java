@@ -5,12 +5,12 @@ import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 
 /**
- * Something that the window can do, as its menu and its palette of commands offer it.
+ * A command of the window. The command menu and the command palette offer it.
  *
- * @param group under which the menu has it
- * @param title what it is called; follows the language
- * @param aliases further words that find it, whatever the language is; may be empty
- * @param key the key that does the same, if there is one
+ * @param group the command's group in the menu
+ * @param title the displayed name; follows the language
+ * @param aliases additional words that find the command in any language; may be empty
+ * @param key the key that runs the command; empty if there is none
  */
 record WindowCommand(
     Group group,
@@ -19,7 +19,7 @@ record WindowCommand(
     Optional<WindowKey> key,
     Runnable action) {
 
-  /** The parts of the menu, in their order. */
+  /** The groups of the menu, in the displayed order. */
   enum Group {
     SCENARIO,
     DRONE,
@@ -32,7 +32,7 @@ record WindowCommand(
     THEME,
     LANGUAGE;
 
-    /** The key of its text, in this package's messages. */
+    /** Returns the key of the group's text in this package's messages. */
     String textKey() {
       return "group-" + name().toLowerCase(Locale.ROOT);
     }
@@ -50,25 +50,25 @@ record WindowCommand(
     }
   }
 
-  /** One that no key does. */
+  /** Returns a command that has no key. */
   static WindowCommand of(
       Group group, ObservableValue<String> title, String aliases, Runnable action) {
     return new WindowCommand(group, title, aliases, Optional.empty(), action);
   }
 
-  /** What a key does. */
+  /** Returns the command that a key runs. */
   static WindowCommand of(WindowKey key, ObservableValue<String> title, Runnable action) {
     String aliases = key.name().toLowerCase(Locale.ROOT).replace('_', ' ');
     return new WindowCommand(Group.of(key), title, aliases, Optional.of(key), action);
   }
 
   /**
-   * How well it fits what was typed: 0 if each word is one of its own, more for beginnings of words
-   * and for parts of them.
+   * Ranks how well the command matches the typed words. The rank is 0 if each typed word is a word
+   * of the command, and higher for prefixes and substrings.
    *
-   * @param groupTitle what its group is called
-   * @param words that were typed, in small letters
-   * @return empty if one of the words is nowhere in it
+   * @param groupTitle the displayed name of the group
+   * @param words the typed words in lower case
+   * @return empty if one of the words does not occur
    */
   Optional<Integer> rank(String groupTitle, String... words) {
     String text = String.join(" ", title.getValue(), aliases, groupTitle).toLowerCase(Locale.ROOT);

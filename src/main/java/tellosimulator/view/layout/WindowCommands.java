@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
-import javafx.beans.property.BooleanProperty;
 import javafx.beans.value.ObservableValue;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.scenario.Gallery;
@@ -16,20 +15,22 @@ import tellosimulator.time.TimeFactor;
 import tellosimulator.translation.PhraseCatalog;
 import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.layout.WindowCommand.Group;
+import tellosimulator.view.layout.WindowState.Flag;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**
- * All that the window can do, in one table: what its keys do, and what one chooses or sets in its
- * parts. The menu shows it by groups, the palette searches it. For the JavaFX thread.
+ * A table of all commands of the window: the actions of its keys, and the commands that choose or
+ * set a value. The menu shows them by group, and the palette searches them. Confined to the JavaFX
+ * thread.
  */
 public final class WindowCommands {
 
-  /** Speeds of the wind that are offered [m/s]; others can be typed. */
+  /** Wind speeds that are offered [m/s]; others can be typed. */
   private static final int[] WINDS = {1, 2, 3, 5};
 
-  /** Factors of the time that are offered; others can be typed. */
+  /** Time factors that are offered; others can be typed. */
   private static final double[] FACTORS = {0.25, 0.5, 1, 2, 5, 10};
 
   private final ViewContext context;
@@ -40,7 +41,7 @@ public final class WindowCommands {
   private List<WindowCommand> scenarios = List.of();
 
   /**
-   * @param keys what the keys of the window do
+   * @param keys the keys of the window with their actions
    */
   public WindowCommands(ViewContext context, WindowState state, KeyBindings keys) {
     this.context = context;
@@ -51,6 +52,17 @@ public final class WindowCommands {
         .forEach(
             (key, action) ->
                 listed.add(WindowCommand.of(key, messages.text(key.textKey()), action)));
+    context
+        .scenario()
+        .course()
+        .ifPresent(
+            seed ->
+                listed.add(
+                    WindowCommand.of(
+                        Group.SCENARIO,
+                        messages.text("next-course", Long.toString(seed)),
+                        "seed",
+                        context.scenario().actions()::openNextCourse)));
     addDrone();
     addTime();
     addWind();
@@ -58,15 +70,19 @@ public final class WindowCommands {
     addAppearance();
   }
 
-  /** What the menu shows: all but the scenarios of the program, which have a menu of their own. */
+  /**
+   * Returns the commands of the menu. The gallery's scenarios are not included, because the gallery
+   * itself lists them.
+   */
   List<WindowCommand> listed() {
     return listed;
   }
 
   /**
-   * What fits a text, the best first; all commands if the text is empty.
+   * Returns the commands that match a text, from the best match to the worst; all commands if the
+   * text is empty.
    *
-   * @param typed words in any order, or a word and a value: {@code wind 2}
+   * @param typed words in any order, or a word and a value such as {@code wind 2}
    */
   List<WindowCommand> find(String typed) {
     String[] words = typed.toLowerCase(Locale.ROOT).strip().split("\\s+");
@@ -81,7 +97,7 @@ public final class WindowCommands {
     return found;
   }
 
-  /** Once, though it be one of those that are listed. */
+  /** Puts a command first in the list, and removes its other occurrence if there is one. */
   private static void putFirst(WindowCommand command, List<WindowCommand> found) {
     String title = command.title().getValue();
     found.removeIf(other -> other.title().getValue().equals(title));
@@ -92,7 +108,9 @@ public final class WindowCommands {
     return command.rank(messages.now(command.group().textKey()), words);
   }
 
-  /** Read only when somebody searches. */
+  /**
+   * Returns the commands for the gallery's scenarios. The scenarios are read at the first search.
+   */
   private List<WindowCommand> scenarios() {
     if (scenarios.isEmpty()) {
       scenarios =
@@ -153,7 +171,7 @@ public final class WindowCommands {
   }
 
   private void addAppearance() {
-    add(Group.RECORDING, "record-flights", () -> toggle(state.flightsRecordedProperty()));
+    add(Group.RECORDING, "record-flights", () -> state.toggle(Flag.RECORDED_FLIGHTS));
     for (Theme theme : Theme.values()) {
       String name = theme.name().toLowerCase(Locale.ROOT);
       add(Group.THEME, "theme-" + name, name, () -> state.themeProperty().set(theme));
@@ -175,10 +193,6 @@ public final class WindowCommands {
 
   private void add(Group group, String key, String aliases, Runnable action) {
     listed.add(WindowCommand.of(group, messages.text(key), aliases, action));
-  }
-
-  private static void toggle(BooleanProperty property) {
-    property.set(!property.get());
   }
 
   private void power(FxDroneModel drone) {

@@ -1,6 +1,5 @@
 package tellosimulator.view.layout;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -9,8 +8,9 @@ import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import tellosimulator.view.text.Messages;
+import tellosimulator.view.world.RoomView;
 
-/** The keys of the window, other than those that fly a drone. */
+/** The keys of the window, except for the keys that fly a drone. */
 public enum WindowKey {
   HELP(KeyCode.F1),
   SIMULATOR_CONTROLS(KeyCode.F2),
@@ -39,58 +39,55 @@ public enum WindowKey {
   GALLERY(KeyCombination.SHORTCUT_DOWN, KeyCode.G),
   OPEN_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.O),
   SAVE_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.S),
-  SAVE_SCENARIO_AS(KeyCode.S, KeyCombination.SHORTCUT_DOWN, KeyCombination.SHIFT_DOWN),
+  SAVE_SCENARIO_AS(List.of(KeyCombination.SHORTCUT_DOWN, KeyCombination.SHIFT_DOWN), KeyCode.S),
   RELOAD_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.R),
   AGAIN(KeyCombination.SHORTCUT_DOWN, KeyCode.N),
-  NEXT_GROUP(KeyCode.N, KeyCombination.SHORTCUT_DOWN, KeyCombination.SHIFT_DOWN),
+  NEXT_GROUP(List.of(KeyCombination.SHORTCUT_DOWN, KeyCombination.SHIFT_DOWN), KeyCode.N),
   SEARCH_LOG(KeyCombination.SHORTCUT_DOWN, KeyCode.F),
   COMMANDS(KeyCombination.SHORTCUT_DOWN, KeyCode.K),
   QUIT(KeyCombination.SHORTCUT_DOWN, KeyCode.Q);
 
-  private final boolean withShortcut;
-  private final boolean withShift;
+  private final List<KeyCombination.Modifier> modifiers;
   private final List<KeyCode> codes;
-  private final List<KeyCombination> combinations;
 
   WindowKey(KeyCode... codes) {
-    this.withShortcut = false;
-    this.withShift = false;
-    this.codes = List.of(codes);
-    this.combinations =
-        Arrays.stream(codes).map(code -> (KeyCombination) new KeyCodeCombination(code)).toList();
+    this(List.of(), codes);
   }
 
   WindowKey(KeyCombination.Modifier modifier, KeyCode code) {
-    this(code, modifier);
+    this(List.of(modifier), code);
   }
 
-  WindowKey(KeyCode code, KeyCombination.Modifier first, KeyCombination.Modifier... more) {
-    KeyCombination.Modifier[] modifiers = Arrays.copyOf(more, more.length + 1);
-    modifiers[more.length] = first;
-    this.withShortcut = List.of(modifiers).contains(KeyCombination.SHORTCUT_DOWN);
-    this.withShift = List.of(modifiers).contains(KeyCombination.SHIFT_DOWN);
-    this.codes = List.of(code);
-    this.combinations = List.of(new KeyCodeCombination(code, modifiers));
+  WindowKey(List<KeyCombination.Modifier> modifiers, KeyCode... codes) {
+    this.modifiers = modifiers;
+    this.codes = List.of(codes);
+  }
+
+  /** Returns the key that selects a view. */
+  public static WindowKey of(RoomView view) {
+    return valueOf(view.name() + "_VIEW");
   }
 
   boolean matches(KeyEvent event) {
-    return combinations.stream().anyMatch(combination -> combination.match(event));
+    KeyCombination.Modifier[] all = modifiers.toArray(KeyCombination.Modifier[]::new);
+    return codes.stream().anyMatch(code -> new KeyCodeCombination(code, all).match(event));
   }
 
-  /** Whether a text field could want it for itself. */
+  /** Returns whether a text field could consume the key. */
   boolean writes() {
-    return !withShortcut && !codes.get(0).isFunctionKey();
+    return !modifiers.contains(KeyCombination.SHORTCUT_DOWN) && !codes.get(0).isFunctionKey();
   }
 
-  /** Whether it only changes from where one looks, and at what. */
+  /** Returns whether the key only changes the view or the selected drone. */
   boolean looks() {
     return compareTo(FRONT_VIEW) >= 0 && compareTo(PREVIOUS_DRONE) <= 0;
   }
 
-  /** What is written on the keys, for people. */
+  /** Returns the labels on the keys, as the window displays them. */
   String symbols(Messages messages) {
-    String shift = withShift ? messages.now("shift") + "+" : "";
-    String prefix = shift + (withShortcut ? shortcut(messages) : "");
+    String shift = modifiers.contains(KeyCombination.SHIFT_DOWN) ? messages.now("shift") + "+" : "";
+    String prefix =
+        shift + (modifiers.contains(KeyCombination.SHORTCUT_DOWN) ? shortcut(messages) : "");
     return codes.stream()
         .filter(code -> !code.isKeypadKey())
         .map(code -> prefix + symbol(code, messages))
@@ -111,12 +108,12 @@ public enum WindowKey {
     };
   }
 
-  /** What is written on the first of the keys, for people. */
+  /** Returns the label on the first key, as the window displays it. */
   String symbol(Messages messages) {
     return symbol(codes.get(0), messages);
   }
 
-  /** The key of the text that says what it does, in this package's messages. */
+  /** Returns the key of the text that describes the action, in this package's messages. */
   String textKey() {
     return "key-" + name().toLowerCase(Locale.ROOT).replace('_', '-');
   }

@@ -1,5 +1,7 @@
 package tellosimulator.view.layout;
 
+import java.util.EnumMap;
+import java.util.Map;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.ObjectProperty;
@@ -10,102 +12,106 @@ import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.view.settings.Settings;
 
 /**
- * What the window itself can be switched to: which parts are there, whether they lie over the 3D
- * scene, and how it looks. Buttons, keys and settings are bound to it. For the JavaFX thread.
+ * The state of the window itself: which parts it shows, whether they lie over the 3D scene, and its
+ * appearance. Buttons, keys and settings are bound to it. Confined to the JavaFX thread.
  */
 public final class WindowState {
 
-  /** Height of the log at first [px]. Decided: six lines. */
+  /** Default height of the log [px]. Decided: fits six lines. */
   static final double LOG_HEIGHT = 163;
 
-  /** Limits of the height of the log [px]. Decided: a line, and any screen. */
+  /** Minimum height of the log [px]. Decided: fits a line. */
   static final double LEAST_LOG_HEIGHT = 90;
 
+  /** Maximum height of the log [px]. Decided: fits any screen. */
   private static final double MOST_LOG_HEIGHT = 10_000;
 
-  private final BooleanProperty simulatorControlsShown = new SimpleBooleanProperty(true);
-  private final BooleanProperty networkControlsShown = new SimpleBooleanProperty();
-  private final BooleanProperty logOpen = new SimpleBooleanProperty();
-  private final BooleanProperty dronesShown = new SimpleBooleanProperty(true);
-  private final BooleanProperty flightsRecorded = new SimpleBooleanProperty(true);
-  private final BooleanProperty planShown = new SimpleBooleanProperty();
-  private final BooleanProperty projector = new SimpleBooleanProperty();
-  private final BooleanProperty reducedMotion = new SimpleBooleanProperty();
+  /** The switches of the window. */
+  public enum Flag {
+    SIMULATOR_CONTROLS("show.simulator-controls", true),
+    NETWORK_CONTROLS("show.network-controls", false),
+
+    /** Whether the whole log is shown, rather than only its latest row. */
+    LOG("show.log", false),
+
+    /** Whether the list of drones is shown, if there are several. */
+    DRONES("show.drones", true),
+
+    /**
+     * Whether flights are recorded. The command line can request this even if the switch is off.
+     */
+    RECORDED_FLIGHTS("record-flights", true),
+
+    /** Whether animations are replaced by immediate changes. */
+    REDUCED_MOTION("reduced-motion", false),
+
+    /** Whether the plan editor covers the scene. */
+    PLAN("", false),
+
+    /** Whether the window shows only the scene and text that is large enough to read from afar. */
+    PROJECTOR("", false),
+
+    /** Whether the 3D scene fills the screen, with the other parts over it. */
+    FULL_SCREEN("", false);
+
+    private final String setting;
+    private final boolean preset;
+
+    /**
+     * @param setting the key in the settings; empty if the flag is not stored
+     */
+    Flag(String setting, boolean preset) {
+      this.setting = setting;
+      this.preset = preset;
+    }
+  }
+
+  private final Map<Flag, BooleanProperty> flags = new EnumMap<>(Flag.class);
   private final DoubleProperty logHeight = new SimpleDoubleProperty(LOG_HEIGHT);
-  private final BooleanProperty fullScreen = new SimpleBooleanProperty();
   private final ObjectProperty<Theme> theme = new SimpleObjectProperty<>(Theme.LIGHT);
   private final ObjectProperty<UiScale> uiScale = new SimpleObjectProperty<>(UiScale.SYSTEM);
 
-  /** Is at first as it was left, and remembers how it is left. */
+  /** Creates a state that is not restored from settings. */
+  public WindowState() {
+    for (Flag flag : Flag.values()) {
+      flags.put(flag, new SimpleBooleanProperty(this, flag.name(), flag.preset));
+    }
+  }
+
+  /** Restores the state from the settings, and saves its changes. */
   public static WindowState remembered(Settings settings) {
     WindowState state = new WindowState();
-    settings.bind("show.simulator-controls", state.simulatorControlsShown, SettingCodec.flag());
-    settings.bind("show.network-controls", state.networkControlsShown, SettingCodec.flag());
-    settings.bind("show.log", state.logOpen, SettingCodec.flag());
-    settings.bind("show.drones", state.dronesShown, SettingCodec.flag());
+    state.flags.forEach(
+        (flag, property) -> {
+          if (!flag.setting.isEmpty()) {
+            settings.bind(flag.setting, property, SettingCodec.flag());
+          }
+        });
     settings.bind(
         "log.height", state.logHeight, SettingCodec.decimal(LEAST_LOG_HEIGHT, MOST_LOG_HEIGHT));
-    settings.bind("record-flights", state.flightsRecorded, SettingCodec.flag());
-    settings.bind("reduced-motion", state.reducedMotion, SettingCodec.flag());
     settings.bind("theme", state.theme, SettingCodec.constant(Theme.class));
     settings.bind("ui-scale", state.uiScale, SettingCodec.constant(UiScale.class));
     return state;
   }
 
-  /** The same state for a window that comes and goes; each of them follows the other. */
+  /** Returns a copy for a temporary window. Changes of either state apply to both. */
   public WindowState linked() {
     WindowState other = new WindowState();
-    other.simulatorControlsShown.bindBidirectional(simulatorControlsShown);
-    other.networkControlsShown.bindBidirectional(networkControlsShown);
-    other.logOpen.bindBidirectional(logOpen);
-    other.dronesShown.bindBidirectional(dronesShown);
-    other.flightsRecorded.bindBidirectional(flightsRecorded);
-    other.planShown.bindBidirectional(planShown);
-    other.projector.bindBidirectional(projector);
-    other.reducedMotion.bindBidirectional(reducedMotion);
+    flags.forEach((flag, property) -> other.flag(flag).bindBidirectional(property));
     other.logHeight.bindBidirectional(logHeight);
-    other.fullScreen.bindBidirectional(fullScreen);
     other.theme.bindBidirectional(theme);
     other.uiScale.bindBidirectional(uiScale);
     return other;
   }
 
-  public BooleanProperty simulatorControlsShownProperty() {
-    return simulatorControlsShown;
+  /** Whether a switch is on. */
+  public BooleanProperty flag(Flag flag) {
+    return flags.get(flag);
   }
 
-  public BooleanProperty networkControlsShownProperty() {
-    return networkControlsShown;
-  }
-
-  /** Whether all of the log is there, rather than its newest row alone. */
-  public BooleanProperty logOpenProperty() {
-    return logOpen;
-  }
-
-  /** Whether the list of drones is there, if there are several. */
-  public BooleanProperty dronesShownProperty() {
-    return dronesShown;
-  }
-
-  /** Whether flights are recorded, unless the command line says so anyway. */
-  public BooleanProperty flightsRecordedProperty() {
-    return flightsRecorded;
-  }
-
-  /** Whether the plan in which one places things lies over the scene. */
-  public BooleanProperty planShownProperty() {
-    return planShown;
-  }
-
-  /** Whether there is nothing but the 3D scene and what a class must read from afar. */
-  public BooleanProperty projectorProperty() {
-    return projector;
-  }
-
-  /** Whether nothing glides or grows that can as well jump. */
-  public BooleanProperty reducedMotionProperty() {
-    return reducedMotion;
+  /** Turns a switch on if it is off, and off if it is on. */
+  public void toggle(Flag flag) {
+    flag(flag).set(!flag(flag).get());
   }
 
   /** Height of the log [px]. */
@@ -113,21 +119,16 @@ public final class WindowState {
     return logHeight;
   }
 
-  /** Whether the 3D scene fills the screen, with the other parts over it. */
-  public BooleanProperty fullScreenProperty() {
-    return fullScreen;
-  }
-
   public ObjectProperty<Theme> themeProperty() {
     return theme;
   }
 
-  /** Lets JavaFX start with the chosen scale; to be called before it starts. */
+  /** Sets the scale for JavaFX. Must be called before JavaFX starts. */
   public void applyUiScale() {
     uiScale.get().apply();
   }
 
-  /** How large everything is drawn, from the next start on. */
+  /** The scale of the window, effective from the next start. */
   ObjectProperty<UiScale> uiScaleProperty() {
     return uiScale;
   }

@@ -14,8 +14,8 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 
 /**
- * Keeps the newest line in sight, until somebody scrolls away from it, and again when somebody
- * scrolls back. Whoever reads older lines sees them stand still. For the JavaFX thread.
+ * Keeps the newest line visible until the user scrolls away from it, and resumes once the user
+ * scrolls back. Older lines stay in place while they are being read. Confined to the JavaFX thread.
  */
 final class AutoScroll {
 
@@ -23,7 +23,7 @@ final class AutoScroll {
   private final BooleanProperty following = new SimpleBooleanProperty(true);
   private boolean scrolledByHand;
 
-  /** Follows the end of a list whose cells all have the same height. */
+  /** Starts following the end of a list whose cells all have the same height. */
   AutoScroll(ListView<?> list) {
     this.list = list;
     list.addEventFilter(ScrollEvent.SCROLL, event -> scrolledByHand = true);
@@ -33,12 +33,15 @@ final class AutoScroll {
     following.addListener((property, before, now) -> toEnd());
   }
 
-  /** Whether the newest line stays in sight. */
+  /** Whether the newest line is kept visible. */
   BooleanProperty followingProperty() {
     return following;
   }
 
-  /** Finds out where somebody has scrolled; called once a pulse, before lines are added. */
+  /**
+   * Detects whether the user has scrolled away or back. Must be called once per pulse, before lines
+   * are added.
+   */
   void settle() {
     if (scrolledByHand) {
       scrolledByHand = false;
@@ -49,9 +52,10 @@ final class AutoScroll {
   }
 
   /**
-   * Follows, or stays where it is; called after lines were added.
+   * Scrolls to the end while following, and otherwise keeps the visible lines in place. Must be
+   * called after lines have been added.
    *
-   * @param dropped lines that fell out at the beginning
+   * @param dropped the number of lines removed at the beginning
    */
   void moveOn(int dropped) {
     VirtualFlow<?> flow = flow();
@@ -64,11 +68,11 @@ final class AutoScroll {
 
   private void toEnd() {
     if (following.get()) {
-      list.scrollTo(list.getItems().size()); // one beyond the last is the very end
+      list.scrollTo(list.getItems().size()); // one past the last line is the very end
     }
   }
 
-  /** How much of the lines is below the list's lower edge [px]. */
+  /** Returns the total height of the lines below the list's lower edge [px]. */
   private double hidden() {
     VirtualFlow<?> flow = flow();
     IndexedCell<?> last = flow == null ? null : flow.getLastVisibleCell();
@@ -101,7 +105,7 @@ final class AutoScroll {
     return node != null;
   }
 
-  /** Null until the list is shown. */
+  /** Returns the virtual flow of the list; null until the list is shown. */
   private VirtualFlow<?> flow() {
     return list.lookup(".virtual-flow") instanceof VirtualFlow<?> flow ? flow : null;
   }

@@ -3,11 +3,12 @@ package tellosimulator.view.log;
 import java.util.Optional;
 import java.util.OptionalLong;
 import javafx.scene.control.TextArea;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.text.Messages;
 
 /**
- * All lines of one row, beside the list, as a text that can be read and copied; not there while no
- * row is open. For the JavaFX thread.
+ * A text area next to the list that shows all lines of one row, so that they can be read and
+ * copied. Invisible while no row is open. Confined to the JavaFX thread.
  */
 final class LogDetails extends TextArea {
 
@@ -18,8 +19,7 @@ final class LogDetails extends TextArea {
   LogDetails(LogFormat text, LogModel model, Messages messages) {
     this.text = text;
     this.model = model;
-    setId("log-details");
-    getStyleClass().add("log-details");
+    Nodes.named(this, "log-details", "log-details");
     setEditable(false);
     setWrapText(true);
     accessibleTextProperty().bind(messages.text("details"));
@@ -30,7 +30,7 @@ final class LogDetails extends TextArea {
     return opened.isPresent();
   }
 
-  /** Opens a row, or closes it if it is open. */
+  /** Opens a row, or closes it if it is already open. */
   void toggle(LogRow row) {
     if (opened.equals(OptionalLong.of(row.number()))) {
       close();
@@ -41,18 +41,19 @@ final class LogDetails extends TextArea {
 
   void open(LogRow row) {
     opened = OptionalLong.of(row.number());
-    setVisible(true);
-    setManaged(true);
+    Nodes.setShown(this, true);
     refresh();
   }
 
   void close() {
     opened = OptionalLong.empty();
-    setVisible(false);
-    setManaged(false);
+    Nodes.setShown(this, false);
   }
 
-  /** Takes over what came to the row, which closes if it fell out. */
+  /**
+   * Updates the text with new lines of the open row, or closes the row if it has been removed from
+   * the log.
+   */
   void refresh() {
     if (opened.isPresent()) {
       Optional<String> now = model.row(opened.getAsLong()).map(text::details);

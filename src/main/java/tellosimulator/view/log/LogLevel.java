@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.kordamp.ikonli.feather.Feather;
 import tellosimulator.sim.Severity;
 
-/** How much a line of the log matters, and how that is shown; the most important first. */
+/** The levels of the log's lines, in order of decreasing importance. Each level has an icon. */
 public enum LogLevel {
   ERROR(Severity.ERROR, Feather.X_OCTAGON),
   WARN(Severity.WARNING, Feather.ALERT_TRIANGLE),
@@ -19,7 +19,7 @@ public enum LogLevel {
     this.icon = icon;
   }
 
-  /** The level of something that happened. */
+  /** Returns the level for the severity of an event. */
   static LogLevel of(Severity severity) {
     for (LogLevel level : values()) {
       if (level.severity == severity) {
@@ -29,7 +29,7 @@ public enum LogLevel {
     throw new IllegalArgumentException("severity is " + severity + ", which has no level");
   }
 
-  /** Whether it matters as much as {@code least}, or more. */
+  /** Returns whether this level is at least as important as {@code least}. */
   boolean reaches(LogLevel least) {
     return compareTo(least) <= 0;
   }
@@ -38,7 +38,7 @@ public enum LogLevel {
     return icon;
   }
 
-  /** Its name in style classes and keys of texts. */
+  /** Returns the name used in style classes and message keys. */
   String key() {
     return name().toLowerCase(Locale.ROOT);
   }

@@ -2,7 +2,8 @@ package tellosimulator.view.log;
 
 import java.util.Optional;
 import java.util.OptionalInt;
-import tellosimulator.command.Peer;
+import java.util.function.Function;
+import tellosimulator.command.Request;
 import tellosimulator.command.WireText;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.time.SimTime;
@@ -10,36 +11,41 @@ import tellosimulator.view.text.Language;
 import tellosimulator.words.Phrase;
 
 /**
- * A line of the log. Immutable; its words are made anew for each language.
+ * A line of the log. Immutable; its words are created for each language on demand.
  *
- * @param time in the simulation
- * @param about which drone
- * @param saying what happened
- * @param exchange the command that it is about, if it is one that the drone took
+ * @param time the simulated time
+ * @param about the subject of the line
+ * @param saying creates the words
+ * @param exchange the command that the line is about, and its outcome; empty if the line is not
+ *     about a command, or if the drone ignored or never received the command
  */
 record LogLine(
-    SimTime time, LogLevel level, About about, Saying saying, Optional<Exchange> exchange) {
+    SimTime time,
+    LogLevel level,
+    About about,
+    Function<Language, String> saying,
+    Optional<Exchange> exchange) {
 
-  /** A line that is about no command. */
-  LogLine(SimTime time, LogLevel level, About about, Saying saying) {
+  /** Creates a line that is not about a command. */
+  LogLine(SimTime time, LogLevel level, About about, Function<Language, String> saying) {
     this(time, level, about, saying, Optional.empty());
   }
 
   /**
-   * What a line is about.
+   * The subject of a line.
    *
-   * @param drone its number, from 1; empty for what concerns all of them, or the window
-   * @param subject whether the drone is the subject that the words lack
+   * @param drone the number of the drone, from 1; empty for all drones or the window
+   * @param subject whether the words lack their grammatical subject, the drone
    */
   record About(OptionalInt drone, boolean subject) {
 
-    /** All drones, or the window. */
+    /** The subject of lines about all drones, or about the window. */
     static final About ALL = new About(OptionalInt.empty(), false);
 
     /**
-     * A drone.
+     * Returns the subject of a line about one drone.
      *
-     * @param drone its number, from 1
+     * @param drone the number of the drone, from 1
      */
     static About drone(int drone, boolean subject) {
       return new About(OptionalInt.of(drone), subject);
@@ -47,44 +53,38 @@ record LogLine(
   }
 
   /**
-   * What a line says about a command.
+   * The command that a line is about, and its outcome.
    *
-   * @param command as it was sent
-   * @param outcome empty where it arrived
+   * @param request the command
+   * @param outcome the outcome; empty if the line reports the arrival of the command
    */
-  record Exchange(Peer peer, String command, Optional<Outcome> outcome) {
+  record Exchange(Request request, Optional<Outcome> outcome) {
 
-    /** The command, for people. */
+    /** Returns the printable text of the command. */
     String printable() {
-      return WireText.printable(command);
+      return WireText.printable(request.text());
     }
 
-    /** Whether an answer is still to come. */
+    /** Returns whether a reply is still expected. */
     boolean open() {
-      return outcome.isEmpty() && !WireText.isUnanswered(command);
+      return outcome.isEmpty() && !WireText.isUnanswered(request.text());
     }
 
-    private static Exchange of(SimEvent.FromPeer event, String reply, Optional<Phrase> reason) {
+    private static Exchange of(SimEvent.OfCommand event, String reply, Optional<Phrase> reason) {
       Outcome outcome = new Outcome(WireText.printable(reply.stripTrailing()), reason);
-      return new Exchange(event.peer(), event.text(), Optional.of(outcome));
+      return new Exchange(event.request(), Optional.of(outcome));
     }
   }
 
   /**
-   * What became of a command.
+   * The outcome of a command.
    *
-   * @param reply what the drone answered, for people
-   * @param reason why it was refused or came to another end; empty if all was well
+   * @param reply the printable reply of the drone
+   * @param reason the reason why the command was refused or failed; empty on success
    */
   record Outcome(String reply, Optional<Phrase> reason) {}
 
-  /** Something that can be said in each language. */
-  @FunctionalInterface
-  interface Saying {
-    String in(Language language);
-  }
-
-  /** What happened in the simulation. */
+  /** Returns the line for an event of the simulation. */
   static LogLine of(SimEvent event) {
     return new LogLine(
         event.time(),
@@ -98,7 +98,7 @@ record LogLine(
 
   private static Optional<Exchange> exchange(SimEvent event) {
     if (event instanceof SimEvent.CommandReceived received) {
-      return Optional.of(new Exchange(received.peer(), received.text(), Optional.empty()));
+      return Optional.of(new Exchange(received.request(), Optional.empty()));
     }
     if (event instanceof SimEvent.ReplySent sent) {
       return Optional.of(Exchange.of(sent, sent.reply().text(), Optional.empty()));
@@ -113,13 +113,13 @@ record LogLine(
     return Optional.empty();
   }
 
-  /** See {@link About}. */
+  /** Returns the number of the drone, from 1; empty if the line is not about a single drone. */
   OptionalInt drone() {
     return about.drone();
   }
 
-  /** For people, without time, level and drone. */
+  /** Returns the words without time, level and drone. */
   String words(Language language) {
-    return saying.in(language);
+    return saying.apply(language);
   }
 }

@@ -1,261 +1,190 @@
 package tellosimulator.view.log;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.SortedSet;
-import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.regex.Pattern;
-import java.util.stream.IntStream;
+import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
-import tellosimulator.command.Peer;
+import javafx.collections.transformation.FilteredList;
 
 /**
- * The newest rows of the log, and those of them that pass a filter of level, drone and text. Lines
- * about one command are one row. A line that is added or falls out costs the same however many
- * there are. For the JavaFX thread.
+ * Stores the newest rows of the log, and determines which of them pass a filter for level, drone
+ * and text. Lines about one command share a row. Confined to the JavaFX thread.
  */
 final class LogModel {
 
-  /** Rows that are kept. Decided: an hour of flight with thirty commands a second. */
+  /**
+   * Maximum number of rows. Decided: enough for an hour of flight with almost thirty commands a
+   * second.
+   */
   static final int CAPACITY = 100_000;
 
-  /** What the lines about a command have in common. */
-  private record Key(OptionalInt drone, Peer peer, String command) {
+  /** The key that all lines about the same command have in common. */
+  private record Key(OptionalInt drone, int command) {
 
     static Key of(LogLine line, LogLine.Exchange exchange) {
-      return new Key(line.drone(), exchange.peer(), exchange.command());
+      return new Key(line.drone(), exchange.request().number());
     }
   }
 
   private final int capacity;
   private final Function<LogRow, String> words;
-  private final RingBuffer<LogRow> rows = new RingBuffer<>();
-
-  /** The words of all rows while a text is searched, so that each key typed finds them made. */
-  private final RingBuffer<String> searched = new RingBuffer<>();
+  private final ObservableList<LogRow> rows = FXCollections.observableArrayList();
+  private final FilteredList<LogRow> shown = new FilteredList<>(rows);
 
   /**
-   * The rows of commands without an answer, by their numbers, newest last. An answer belongs to the
-   * newest: a copy of a command that still runs is refused first.
+   * The searchable texts of rows during a search, kept so that they are not created again with each
+   * keystroke.
    */
-  private final Map<Key, Deque<Long>> open = new HashMap<>();
+  private final IdentityHashMap<LogRow, String> searched = new IdentityHashMap<>();
 
-  private final ShownRows shown = new ShownRows();
+  /** Maps each command that is still in the log to the number of its row. */
+  private final Map<Key, Long> commands = new HashMap<>();
+
   private LogLevel level = LogLevel.DEBUG;
   private OptionalInt drone = OptionalInt.empty();
-  private String text = "";
-  private Pattern pattern = Pattern.compile("");
+  private Optional<Pattern> search = Optional.empty();
   private long firstRow;
   private long arrived;
 
   /**
-   * @param capacity rows that are kept
-   * @param words what is searched of a row
+   * @param capacity the maximum number of rows
+   * @param words returns the searchable text of a row
    */
   LogModel(int capacity, Function<LogRow, String> words) {
     this.capacity = capacity;
     this.words = words;
   }
 
-  /** The rows that pass the filter, oldest first. */
+  /** Returns the rows that pass the filter, oldest first. Unmodifiable. */
   ObservableList<LogRow> shown() {
-    return shown.readOnly();
+    return shown;
   }
 
-  /** All lines, shown or not, in the order in which they came. */
+  /** Returns all lines, whether shown or not, in the order of their arrival. */
   List<LogLine> lines() {
-    return LogRow.lines(IntStream.range(0, rows.size()).mapToObj(rows::get).toList());
+    return LogRow.lines(rows);
   }
 
-  /** How many rows are kept, shown or not. */
+  /** Returns the number of rows, whether shown or not. */
   int size() {
     return rows.size();
   }
 
-  /** A row as it is now; empty if it fell out. */
+  /** Returns a row in its current state; empty if it has been removed. */
   Optional<LogRow> row(long number) {
     boolean kept = number >= firstRow && number - firstRow < rows.size();
     return kept ? Optional.of(rows.get(index(number))) : Optional.empty();
   }
 
   /**
-   * Adds lines at the end, or to rows of theirs; the oldest rows fall out if there are too many.
+   * Adds each line to the existing row of its command, or as a new row at the end. If there are
+   * then too many rows, the oldest ones are removed.
    *
-   * @return how many of the rows that were shown fell out
+   * @return how many of the removed rows had been shown
    */
   int append(List<LogLine> added) {
-    long firstNew = firstRow + rows.size();
-    SortedSet<Long> changed = new TreeSet<>();
-    int dropped = 0;
-    for (LogLine line : added) {
-      changed.add(take(line));
-      if (rows.size() > capacity) {
-        LogRow oldest = removeFirst();
-        if (dropped < shown.size() && shown.get(dropped).number() == oldest.number()) {
-          dropped++;
-        }
-      }
-    }
-    List<LogRow> passing = new ArrayList<>();
-    for (int i = index(Math.max(firstNew, firstRow)); i < rows.size(); i++) {
-      if (!text.isEmpty()) {
-        searched.addLast(words.apply(rows.get(i)));
-      }
-      if (passes(i)) {
-        passing.add(rows.get(i));
-      }
-    }
-    shown.roll(dropped, passing);
-    changed.stream()
-        .filter(number -> number >= firstRow && number < firstNew)
-        .forEach(this::change);
-    return dropped;
+    List<LogRow> newRows = new ArrayList<>();
+    added.forEach(line -> take(line, newRows));
+    rows.addAll(newRows);
+    int before = shown.size();
+    int surplus = Math.max(0, rows.size() - capacity);
+    rows.subList(0, surplus).forEach(this::forget);
+    rows.remove(0, surplus);
+    firstRow += surplus;
+    return before - shown.size();
   }
 
-  /**
-   * Makes a row of a line, or adds it to one.
-   *
-   * @return the row's number
-   */
-  private long take(LogLine line) {
+  /** Adds a line to the existing row of its command, or to a new row. */
+  private void take(LogLine line, List<LogRow> newRows) {
     LogRow.Arrival arrival = new LogRow.Arrival(arrived++, line);
     Optional<Key> key = line.exchange().map(exchange -> Key.of(line, exchange));
-    boolean begins = line.exchange().filter(LogLine.Exchange::open).isPresent();
-    Optional<Long> answered = begins ? Optional.empty() : key.map(open::get).map(Deque::pollLast);
+    boolean begins = line.exchange().filter(exchange -> exchange.outcome().isEmpty()).isPresent();
+    Optional<Long> answered = begins ? Optional.empty() : key.map(commands::get);
     if (answered.isPresent()) {
-      forget(key.get());
       int index = index(answered.get());
-      rows.set(index, rows.get(index).with(arrival));
-      return answered.get();
+      List<LogRow> owner = index < rows.size() ? rows : newRows;
+      int place = index < rows.size() ? index : index - rows.size();
+      searched.remove(owner.set(place, owner.get(place).with(arrival)));
+      return;
     }
-    long number = firstRow + rows.size();
-    rows.addLast(new LogRow(number, List.of(arrival)));
+    long number = firstRow + rows.size() + newRows.size();
+    newRows.add(new LogRow(number, List.of(arrival)));
     if (begins) {
-      open.computeIfAbsent(key.get(), none -> new ArrayDeque<>()).addLast(number);
-    }
-    return number;
-  }
-
-  private void forget(Key key) {
-    if (open.get(key).isEmpty()) {
-      open.remove(key);
+      commands.put(key.get(), number);
     }
   }
 
-  /** Shows a row anew that has more lines than before. */
-  private void change(long number) {
-    int index = index(number);
-    if (!text.isEmpty()) {
-      searched.set(index, words.apply(rows.get(index)));
-    }
-    if (passes(index)) {
-      shown.change(rows.get(index));
-    }
+  private void forget(LogRow oldest) {
+    searched.remove(oldest);
+    LogLine line = oldest.first();
+    line.exchange().ifPresent(about -> commands.remove(Key.of(line, about), oldest.number()));
   }
 
   void clear() {
     firstRow += rows.size();
     rows.clear();
     searched.clear();
-    open.clear();
-    shown.replace(new RingBuffer<>());
+    commands.clear();
   }
 
-  /** Shows rows of this level and of those that matter more. */
+  /** Shows only rows that are at least as important as this level. */
   void setLevel(LogLevel least) {
-    if (least != level) {
-      level = least;
-      filter();
-    }
+    level = least;
+    filter();
   }
 
   /**
-   * Shows rows about one drone, and those about all of them.
+   * Shows only rows about one drone and rows about all drones.
    *
-   * @param wanted its number, from 1; empty for all rows
+   * @param wanted the number of the drone, from 1; empty for all rows
    */
   void setDrone(OptionalInt wanted) {
-    if (!wanted.equals(drone)) {
-      drone = wanted;
-      filter();
-    }
+    drone = wanted;
+    filter();
   }
 
   /**
-   * Shows rows that contain a text.
+   * Shows only rows that contain a text.
    *
-   * @param wanted upper and lower case are the same; empty for all rows
+   * @param wanted the text, ignoring case; empty for all rows
    */
   void setText(String wanted) {
-    if (!wanted.equals(text)) {
-      text = wanted;
-      pattern =
-          Pattern.compile(
-              wanted, Pattern.LITERAL | Pattern.CASE_INSENSITIVE | Pattern.UNICODE_CASE);
-      filter();
+    int flags = Pattern.LITERAL | Pattern.CASE_INSENSITIVE | Pattern.UNICODE_CASE;
+    search =
+        Optional.of(wanted).filter(text -> !text.isEmpty()).map(w -> Pattern.compile(w, flags));
+    if (search.isEmpty()) {
+      searched.clear();
     }
+    filter();
   }
 
-  /** The same rows have other words now. */
+  /** Repeats the search after the words of all rows have changed. */
   void wordsChanged() {
-    if (!text.isEmpty()) {
-      searched.clear();
-      filter();
-    }
+    searched.clear();
+    filter();
   }
 
   private int index(long number) {
     return (int) (number - firstRow);
   }
 
-  private LogRow removeFirst() {
-    if (searched.size() > 0) {
-      searched.removeFirst();
-    }
-    firstRow++;
-    LogRow oldest = rows.removeFirst();
-    LogLine line = oldest.first();
-    line.exchange()
-        .map(exchange -> Key.of(line, exchange))
-        .filter(
-            key -> open.containsKey(key) && open.get(key).removeFirstOccurrence(oldest.number()))
-        .ifPresent(this::forget);
-    return oldest;
-  }
-
   private void filter() {
-    prepareSearch();
-    RingBuffer<LogRow> passing = new RingBuffer<>();
-    for (int i = 0; i < rows.size(); i++) {
-      if (passes(i)) {
-        passing.addLast(rows.get(i));
-      }
-    }
-    shown.replace(passing);
+    shown.setPredicate(row -> passes(row));
   }
 
-  private void prepareSearch() {
-    if (text.isEmpty()) {
-      searched.clear();
-      return;
-    }
-    for (int i = searched.size(); i < rows.size(); i++) {
-      searched.addLast(words.apply(rows.get(i)));
-    }
-  }
-
-  private boolean passes(int index) {
-    LogRow row = rows.get(index);
+  private boolean passes(LogRow row) {
     OptionalInt about = row.first().drone();
     return row.level().reaches(level)
         && (drone.isEmpty() || about.isEmpty() || about.equals(drone))
-        && (text.isEmpty() || pattern.matcher(searched.get(index)).find());
+        && search
+            .map(pattern -> pattern.matcher(searched.computeIfAbsent(row, words)).find())
+            .orElse(true);
   }
 }

@@ -9,7 +9,12 @@ import java.util.Optional;
 import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ObservableBooleanValue;
+import javafx.geometry.Pos;
 import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
 import javafx.scene.control.SelectionMode;
@@ -25,21 +30,28 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import javafx.stage.FileChooser;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.files.AtomicFile;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * The log at the bottom of the window: everything that happens, newest last, a command and its
- * answer in one row. Folded, it is the newest row alone. For the JavaFX thread.
+ * The log at the bottom of the window. It lists all events in chronological order; a command and
+ * its reply share a row. While the log is folded, only the newest row is visible. Confined to the
+ * JavaFX thread.
  */
 public final class LogPane extends VBox {
 
-  /** Height of a line in sizes of its font. */
+  /** Height of a line as a multiple of the font size. */
   private static final double LINE_HEIGHT = 1.65;
 
-  /** Part of the width that details take. Decided: the list keeps commands and replies. */
+  /**
+   * Fraction of the width that the details occupy. Decided: narrow enough that commands and replies
+   * stay visible in the list.
+   */
   private static final double DETAILS = 0.42;
 
   private static final KeyCombination COPY =
@@ -51,14 +63,14 @@ public final class LogPane extends VBox {
   private final Messages messages;
   private final LogFormat text;
   private final LogModel model;
-  private final ListView<LogRow> list = new ListView<>();
+  private final ListView<LogRow> list = Nodes.named(new ListView<>(), "log-list");
   private final LogToolbar toolbar;
   private final LogDetails details;
   private final FoldedLog newest;
   private final BooleanProperty open = new SimpleBooleanProperty(this, "open", true);
   private final AutoScroll tail = new AutoScroll(list);
 
-  /** Shows what comes through {@code logQueue}, from now on. */
+  /** Creates a log that shows the lines of {@code logQueue}. */
   public LogPane(ViewContext context, LogQueue logQueue) {
     this.context = context;
     this.logQueue = logQueue;
@@ -77,8 +89,15 @@ public final class LogPane extends VBox {
     this.newest =
         new FoldedLog(
             messages, new LogRowView(text, toolbar.timeStampsProperty()), () -> unfold(true));
-    initializeSelf();
-    initializeParts();
+    Nodes.named(this, "log", "log-box");
+    getStylesheets().add(LogPane.class.getResource("log.css").toExternalForm());
+    logQueue.welcome(
+        context.simulation().drones().stream().allMatch(drone -> drone.onProperty().get()));
+    list.setItems(model.shown());
+    list.getSelectionModel().setSelectionMode(SelectionMode.MULTIPLE);
+    list.setCellFactory(view -> new LogCell(text, toolbar.timeStampsProperty()));
+    list.setPlaceholder(messages.label("nothing"));
+    list.accessibleTextProperty().bind(messages.text("title"));
     layoutParts();
     setupEventHandlers();
     setupBindings();
@@ -89,24 +108,24 @@ public final class LogPane extends VBox {
     return toolbar.timeStampsProperty();
   }
 
-  /** Whether all of it is there, rather than the newest row alone. */
+  /** Whether the whole log is shown, rather than the newest row alone. */
   public BooleanProperty openProperty() {
     return open;
   }
 
-  /** Lets one type what to search. */
+  /** Opens the log and focuses the search field. */
   public void startSearch() {
     open.set(true);
     toolbar.startSearch();
   }
 
-  /** Lets one open the report of the last flight. */
+  /** Shows buttons that open the report of the last flight. */
   public void offer(ReportOffer offer) {
     toolbar.offer(offer);
     newest.offer(offer);
   }
 
-  /** Removes all lines, and those that wait. */
+  /** Removes all lines, including those in the queue. */
   public void clear() {
     logQueue.drain();
     model.clear();
@@ -114,26 +133,9 @@ public final class LogPane extends VBox {
     showNewest();
   }
 
-  /** Hands what it shows to the log that comes after it. */
+  /** Puts the lines back into the queue, so that the next log shows them. */
   public void handOver() {
     logQueue.takeBack(model.lines());
-  }
-
-  private void initializeSelf() {
-    setId("log");
-    getStyleClass().add("log-box");
-    getStylesheets().add(LogPane.class.getResource("log.css").toExternalForm());
-    logQueue.welcome(
-        context.simulation().drones().stream().allMatch(drone -> drone.onProperty().get()));
-  }
-
-  private void initializeParts() {
-    list.setId("log-list");
-    list.setItems(model.shown());
-    list.getSelectionModel().setSelectionMode(SelectionMode.MULTIPLE);
-    list.setCellFactory(view -> new LogCell(text, toolbar.timeStampsProperty()));
-    list.setPlaceholder(messages.label("nothing"));
-    list.accessibleTextProperty().bind(messages.text("title"));
   }
 
   private void layoutParts() {
@@ -141,22 +143,19 @@ public final class LogPane extends VBox {
     HBox.setHgrow(list, Priority.ALWAYS);
     list.setMinWidth(0);
     details.prefWidthProperty().bind(widthProperty().multiply(DETAILS));
-    details.setMinWidth(USE_PREF_SIZE);
+    Nodes.unshrinkable(details);
     setVgrow(body, Priority.ALWAYS);
     getChildren().addAll(newest, toolbar, body);
     open.subscribe(
         now -> {
-          newest.setVisible(!now);
-          newest.setManaged(!now);
-          toolbar.setVisible(now);
-          toolbar.setManaged(now);
-          body.setVisible(now);
-          body.setManaged(now);
+          Nodes.setShown(newest, !now);
+          Nodes.setShown(toolbar, now);
+          Nodes.setShown(body, now);
         });
   }
 
   private void setupEventHandlers() {
-    context.pulse().onBeat(nanos -> takeIn());
+    context.ticker().onTick(nanos -> takeIn());
     list.addEventFilter(KeyEvent.KEY_PRESSED, this::press);
     details.addEventFilter(KeyEvent.KEY_PRESSED, this::closeByEscape);
     list.addEventHandler(MouseEvent.MOUSE_CLICKED, this::click);
@@ -174,7 +173,7 @@ public final class LogPane extends VBox {
     toolbar.levelProperty().subscribe(level -> refilter(() -> model.setLevel(level)));
     toolbar.droneProperty().subscribe(drone -> refilter(() -> model.setDrone(drone)));
     toolbar.searchProperty().subscribe(wanted -> refilter(() -> model.setText(wanted)));
-    // Whole pixels: a list whose lines end between two pixels believes that there is a gap.
+    // Rounded to whole pixels: the list would treat a fraction of a pixel as a gap.
     toolbar
         .fontProperty()
         .subscribe(font -> list.setFixedCellSize(snapSizeY(font.getSize() * LINE_HEIGHT)));
@@ -205,7 +204,9 @@ public final class LogPane extends VBox {
     newest.show(shown.isEmpty() ? Optional.empty() : Optional.of(shown.get(shown.size() - 1)));
   }
 
-  /** Leaves the focus where one can fold again. */
+  /**
+   * Unfolds the log and focuses its list, or folds the log and focuses the button that unfolds it.
+   */
   private void unfold(boolean wanted) {
     open.set(wanted);
     if (wanted) {
@@ -236,7 +237,10 @@ public final class LogPane extends VBox {
     }
   }
 
-  /** With Shift or Ctrl, one selects several. */
+  /**
+   * Opens or closes the details of the clicked row. Ignores clicks with Shift or Ctrl, which select
+   * several rows.
+   */
   private void click(MouseEvent event) {
     boolean plain = !event.isShiftDown() && !event.isShortcutDown() && event.isStillSincePress();
     for (Node node = event.getPickResult().getIntersectedNode();
@@ -255,7 +259,9 @@ public final class LogPane extends VBox {
     tail.moveOn(0);
   }
 
-  /** Copies the selected lines, or all that are shown if none is selected. */
+  /**
+   * Copies the lines of the selected rows, or of all rows that pass the filter if none is selected.
+   */
   private void copy() {
     List<LogRow> selected = List.copyOf(list.getSelectionModel().getSelectedItems());
     ClipboardContent content = new ClipboardContent();
@@ -275,7 +281,7 @@ public final class LogPane extends VBox {
     }
   }
 
-  /** Writes the lines that are shown to a file, and a line of the log about it. */
+  /** Writes the lines of all rows that pass the filter to a file, and logs the outcome. */
   void save(Path file) {
     try {
       List<String> lines = written(model.shown());
@@ -296,5 +302,79 @@ public final class LogPane extends VBox {
 
   private List<String> written(List<LogRow> rows) {
     return LogRow.lines(rows).stream().map(text::whole).toList();
+  }
+
+  /** A cell that shows a row in the list of the log. Confined to the JavaFX thread. */
+  private static final class LogCell extends ListCell<LogRow> {
+
+    private final LogFormat text;
+    private final LogRowView view;
+
+    LogCell(LogFormat text, ObservableBooleanValue timeStamps) {
+      this.text = text;
+      this.view = new LogRowView(text, timeStamps);
+      setPrefWidth(0); // makes the cell as wide as the list, never wider
+      setText(null);
+    }
+
+    @Override
+    protected void updateItem(LogRow row, boolean empty) {
+      super.updateItem(row, empty);
+      if (empty || row == null) {
+        setGraphic(null);
+        setAccessibleText(null);
+        return;
+      }
+      view.show(row);
+      setGraphic(view);
+      setAccessibleText(text.spoken(row));
+    }
+  }
+
+  /**
+   * The folded log: its newest row, a button for the report of the last flight, and a button that
+   * unfolds the log. Confined to the JavaFX thread.
+   */
+  private static final class FoldedLog extends HBox {
+
+    private final Button button =
+        Nodes.named(new Button("", new FontIcon(Feather.CHEVRON_UP)), "log-unfold");
+    private final LogRowView row;
+    private final ReportButton report;
+
+    /**
+     * @param row shows the newest row
+     * @param unfold shows the whole log
+     */
+    FoldedLog(Messages messages, LogRowView row, Runnable unfold) {
+      this.row = row;
+      report =
+          new ReportButton(
+              messages, "folded-report", new SimpleObjectProperty<>(ContentDisplay.LEFT));
+      Nodes.described(button, messages.text("unfold.tooltip"));
+      button.setOnAction(pressed -> unfold.run());
+      Nodes.styled(this, "log-toolbar", "log-folded");
+      setAlignment(Pos.CENTER_LEFT);
+      setHgrow(row, Priority.ALWAYS);
+      row.setMinWidth(0);
+      getChildren()
+          .addAll(messages.label("title", "log-title"), row, report, Nodes.unshrinkable(button));
+    }
+
+    /** Shows the button that opens the report of the last flight. */
+    void offer(ReportOffer offer) {
+      report.offer(offer);
+    }
+
+    /** Returns the button that unfolds the log. */
+    Button button() {
+      return button;
+    }
+
+    /** Shows the newest row, if there is one. */
+    void show(Optional<LogRow> newest) {
+      newest.ifPresent(row::show);
+      row.setVisible(newest.isPresent());
+    }
   }
 }

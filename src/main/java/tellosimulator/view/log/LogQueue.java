@@ -17,14 +17,15 @@ import tellosimulator.view.text.Language;
 import tellosimulator.words.Phrase;
 
 /**
- * Queue of lines for the log, which the window drains once a pulse. For any thread; nobody who
- * writes ever waits. What finds no room is counted, and a line says how much that was.
+ * A bounded queue of lines for the log. The window drains it once per pulse. Thread-safe; writers
+ * never block. Lines that do not fit are dropped; the next {@link #drain} reports their number in
+ * an additional line.
  */
 public final class LogQueue implements SimListener {
 
   /**
-   * Lines that may wait. Decided: ten times what a pulse brings when one drone, at the highest time
-   * factor, is asked as fast as loopback can.
+   * Maximum number of waiting lines. Decided: ten times the number that arrives per pulse when one
+   * drone, at the highest time factor, receives commands as fast as loopback allows.
    */
   static final int CAPACITY = 10_000;
 
@@ -33,7 +34,10 @@ public final class LogQueue implements SimListener {
   private final AtomicBoolean welcomed = new AtomicBoolean();
   private volatile SimTime now = SimTime.ZERO;
 
-  /** Only for the JavaFX thread. */
+  /**
+   * The lines of the previous log. The next log shows them before any other lines. Confined to the
+   * JavaFX thread.
+   */
   private List<LogLine> shownBefore = List.of();
 
   @Override
@@ -47,37 +51,37 @@ public final class LogQueue implements SimListener {
   }
 
   /**
-   * Writes a line of the window itself.
+   * Adds a line about the window itself.
    *
-   * @param key of a text in this package's messages
-   * @param values for the places in the text
+   * @param key the key of a text in this package's messages
+   * @param values the arguments of the text
    */
   void note(LogLevel level, String key, Object... values) {
     add(noted(level, About.ALL, key, values));
   }
 
   /**
-   * Writes what the window has to say of a drone, with a subject of its own.
+   * Adds a line about a drone. The phrase must contain its grammatical subject.
    *
-   * @param drone its number, from 1
+   * @param drone the number of the drone, from 1
    */
   public void say(LogLevel level, int drone, Phrase phrase) {
     add(new LogLine(now, level, About.drone(drone, false), language -> language.say(phrase)));
   }
 
   /**
-   * Writes a sentence of others.
+   * Adds a line with any text.
    *
-   * @param saying makes it in each language
+   * @param saying creates the text for a language
    */
   public void say(LogLevel level, Function<Language, String> saying) {
-    add(new LogLine(now, level, About.ALL, saying::apply));
+    add(new LogLine(now, level, About.ALL, saying));
   }
 
   /**
-   * Greets, the first time.
+   * Adds a welcome line on the first call; later calls have no effect.
    *
-   * @param on whether all drones are on already
+   * @param on whether all drones are already on
    */
   void welcome(boolean on) {
     if (welcomed.compareAndSet(false, true)) {
@@ -85,12 +89,12 @@ public final class LogQueue implements SimListener {
     }
   }
 
-  /** Takes back what a log showed; the next one shows it first. */
+  /** Takes back the lines of a closed log. The next log shows them first. */
   void takeBack(List<LogLine> lines) {
     shownBefore = List.copyOf(lines);
   }
 
-  /** Says why a drone stays off. */
+  /** Adds a line with the reason why a drone stays off. */
   public void cannotSwitchOn(int drone, PortTakenException refusal) {
     add(
         noted(
@@ -101,7 +105,7 @@ public final class LogQueue implements SimListener {
             refusal.address().getAddress().getHostAddress()));
   }
 
-  /** Takes what waits, oldest first. */
+  /** Removes and returns the waiting lines, oldest first. Called on the JavaFX thread. */
   List<LogLine> drain() {
     List<LogLine> lines = new ArrayList<>(shownBefore);
     shownBefore = List.of();

@@ -8,17 +8,18 @@ import java.util.OptionalDouble;
 import tellosimulator.view.log.LogLine.Outcome;
 
 /**
- * A row of the log: a command with all lines about it, or a line of its own. Immutable.
+ * A row of the log: a command with all lines about it, or a single line. Immutable.
  *
- * @param number counts rows without gaps, in the order in which they began
- * @param arrivals its lines, oldest first; at least one
+ * @param number the sequence number of the row; rows are numbered consecutively in the order of
+ *     creation
+ * @param arrivals the lines, oldest first; at least one
  */
 record LogRow(long number, List<Arrival> arrivals) {
 
   /**
-   * A line, and when it came.
+   * A line with its position in the order of arrival.
    *
-   * @param order counts the lines of all rows
+   * @param order the sequence number of the line; the lines of all rows are numbered consecutively
    */
   record Arrival(long order, LogLine line) {}
 
@@ -26,14 +27,14 @@ record LogRow(long number, List<Arrival> arrivals) {
     arrivals = List.copyOf(arrivals);
   }
 
-  /** The same row with a line more. */
+  /** Returns a copy of this row with an additional line. */
   LogRow with(Arrival more) {
     List<Arrival> all = new ArrayList<>(arrivals);
     all.add(more);
     return new LogRow(number, all);
   }
 
-  /** The lines of rows in the order in which they came. */
+  /** Returns the lines of all given rows in the order of their arrival. */
   static List<LogLine> lines(List<LogRow> rows) {
     return rows.stream()
         .flatMap(row -> row.arrivals.stream())
@@ -46,27 +47,27 @@ record LogRow(long number, List<Arrival> arrivals) {
     return arrivals.stream().map(Arrival::line).toList();
   }
 
-  /** With which it began. */
+  /** Returns the line that arrived first. */
   LogLine first() {
     return arrivals.get(0).line();
   }
 
-  /** That of the line that matters most. */
+  /** Returns the level of the most important line. */
   LogLevel level() {
     return arrivals.stream().map(arrival -> arrival.line().level()).min(LogLevel::compareTo).get();
   }
 
-  /** The command that it is about, for people; empty if it is about none. */
+  /** Returns the printable command; empty if the row is not about a command. */
   Optional<String> command() {
     return first().exchange().map(LogLine.Exchange::printable);
   }
 
-  /** What became of the command; empty as long as nobody knows. */
+  /** Returns the outcome of the command; empty until the outcome is known. */
   Optional<Outcome> outcome() {
     return answer().flatMap(LogLine::exchange).flatMap(LogLine.Exchange::outcome);
   }
 
-  /** From the command to its answer [simulated s]; empty if one of them is not there. */
+  /** Returns the time from the command to its reply [simulated s]; empty if either is missing. */
   OptionalDouble duration() {
     boolean both = first().exchange().flatMap(LogLine.Exchange::outcome).isEmpty();
     return answer()

@@ -5,14 +5,14 @@ import javafx.css.PseudoClass;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 
 /**
- * Shows a row of the log in one line: level, time, drone, and what happened; of a command its
- * reply, how long it took, and why it was refused. What is cut off is whole in its tooltip. For the
- * JavaFX thread.
+ * Shows a row of the log in one line: level, time, drone and words. For a command, it also shows
+ * the reply, the duration, and the reason for a refusal or failure. Tooltips show truncated texts
+ * in full. Confined to the JavaFX thread.
  */
 final class LogRowView extends HBox {
 
@@ -22,39 +22,31 @@ final class LogRowView extends HBox {
 
   private final LogFormat text;
   private final FontIcon icon = new FontIcon();
-  private final Label time = new Label();
-  private final Label drone = new Label();
-  private final Label words = new Label();
-  private final Label reply = new Label();
-  private final Label duration = new Label();
-  private final Label reason = new Label();
+  private final Label time = Nodes.styled(new Label(), "log-time");
+  private final Label drone = Nodes.styled(new Label(), "log-drone");
+  private final Label words = Nodes.styled(new Label(), "log-words");
+  private final Label reply = Nodes.styled(new Label(), "log-reply");
+  private final Label duration = Nodes.styled(new Label(), "log-duration");
+  private final Label reason = Nodes.styled(new Label(), "log-reason");
   private final Tooltip whole = new Tooltip();
 
   /**
-   * @param timeStamps whether it shows when that was
+   * @param timeStamps whether the time is shown
    */
   LogRowView(LogFormat text, ObservableBooleanValue timeStamps) {
     this.text = text;
     whole.setWrapText(true);
     whole.setMaxWidth(TOOLTIP_WIDTH);
-    time.getStyleClass().add("log-time");
     Tooltips.install(time, text.timeHint());
-    drone.getStyleClass().add("log-drone");
     drone.setMinWidth(USE_PREF_SIZE);
-    words.getStyleClass().add("log-words");
-    reply.getStyleClass().add("log-reply");
-    duration.getStyleClass().add("log-duration");
-    reason.getStyleClass().add("log-reason");
     for (Label growing : new Label[] {words, reason}) {
-      HBox.setHgrow(growing, Priority.ALWAYS);
-      growing.setMaxWidth(Double.MAX_VALUE);
+      Nodes.growing(growing);
       growing.setMinWidth(0);
       growing.setOnMouseEntered(entered -> offerTooltip(growing));
     }
     reply.setOnMouseEntered(entered -> offerTooltip(reply));
     getChildren().addAll(icon, time, drone, words, reply, duration, reason);
-    time.visibleProperty().bind(timeStamps);
-    time.managedProperty().bind(timeStamps);
+    Nodes.showIf(time, timeStamps);
     drone.managedProperty().bind(drone.textProperty().isNotEmpty());
   }
 
@@ -77,8 +69,7 @@ final class LogRowView extends HBox {
     duration.setText(text.duration(row));
     reason.setText(text.reason(row));
     for (Label part : new Label[] {reply, duration, reason}) {
-      part.setVisible(command);
-      part.setManaged(command);
+      Nodes.setShown(part, command);
     }
   }
 }

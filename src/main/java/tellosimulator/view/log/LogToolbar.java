@@ -3,8 +3,8 @@ package tellosimulator.view.log;
 import atlantafx.base.controls.CustomTextField;
 import atlantafx.base.controls.Spacer;
 import atlantafx.base.theme.Styles;
+import java.util.List;
 import java.util.OptionalInt;
-import java.util.function.Function;
 import java.util.stream.IntStream;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
@@ -13,7 +13,6 @@ import javafx.beans.value.ObservableNumberValue;
 import javafx.beans.value.ObservableStringValue;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
-import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ChoiceBox;
@@ -23,46 +22,38 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Region;
 import javafx.scene.text.Font;
-import javafx.util.StringConverter;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
-/** What one can do with the log. For the JavaFX thread. */
+/** The bar with the filters and actions of the log. Confined to the JavaFX thread. */
 final class LogToolbar extends HBox {
 
-  /** What the buttons do. */
+  /** The actions of the buttons. */
   record Actions(Runnable clear, Runnable copy, Runnable save, Runnable fold) {}
 
   private static final LogLevel FIRST_LEVEL = LogLevel.INFO;
 
-  /** In the choice of drones, all of them. */
+  /** The choice-box item that stands for all drones. */
   private static final Integer ALL = 0;
 
-  /** Width below which buttons are icons [px]. Measured: everything with words, in German. */
+  /**
+   * Width below which buttons have no labels [px]. Measured: the toolbar's width with all labels in
+   * German.
+   */
   private static final double NARROW = 1180;
 
-  private final Language language;
   private final Messages messages;
-  private final Actions actions;
-  private final ObservableNumberValue found;
-  private final Label title = new Label();
-  private final ChoiceBox<LogLevel> level = new ChoiceBox<>();
-  private final ChoiceBox<Integer> drone = new ChoiceBox<>();
-  private final CustomTextField search = new CustomTextField();
-  private final Button clearSearch = new Button(null, new FontIcon(Feather.X));
-  private final Label matches = new Label();
-  private final ToggleButton timeStamps = new ToggleButton(null, new FontIcon(Feather.CLOCK));
-  private final ToggleButton autoscroll =
-      new ToggleButton(null, new FontIcon(Feather.CHEVRONS_DOWN));
-  private final Button copy = new Button(null, new FontIcon(Feather.COPY));
-  private final Button save = new Button(null, new FontIcon(Feather.SAVE));
-  private final Button clear = new Button(null, new FontIcon(Feather.TRASH));
-  private final Button fold = new Button(null, new FontIcon(Feather.CHEVRON_DOWN));
+  private final Label title;
+  private final ChoiceBox<LogLevel> level = Nodes.named(new ChoiceBox<>(), "log-level");
+  private final ChoiceBox<Integer> drone = Nodes.named(new ChoiceBox<>(), "log-drone");
+  private final CustomTextField search = Nodes.named(new CustomTextField(), "log-search");
+  private final ToggleButton timeStamps = new ToggleButton();
+  private final ToggleButton autoscroll = new ToggleButton();
 
   private final ObservableValue<ContentDisplay> display =
       widthProperty()
@@ -73,37 +64,34 @@ final class LogToolbar extends HBox {
   private final ReportButton report;
 
   /**
-   * @param drones how many there are
-   * @param found how many rows are shown
+   * @param drones the number of drones
+   * @param found the number of rows that pass the filter
    */
   LogToolbar(Language language, int drones, Actions actions, ObservableNumberValue found) {
-    this.language = language;
     this.messages = language.messages(LogToolbar.class);
-    this.actions = actions;
-    this.found = found;
     report = new ReportButton(messages, "log-report", display);
-    drone.getItems().add(ALL);
-    IntStream.rangeClosed(1, drones).forEach(drone.getItems()::add);
-    initializeSelf();
-    initializeParts();
-    layoutParts();
-    setupEventHandlers();
-    setupBindings();
+    title = messages.label("title", "log-title");
+    getStyleClass().add("log-toolbar");
+    setAlignment(Pos.CENTER_LEFT);
+    setMinWidth(0); // otherwise the labels would keep the window from becoming narrower
+    initializeChoices(language, drones);
+    initializeSearch();
+    layoutParts(actions, found);
   }
 
-  /** The least level that is to be shown. */
+  /** The least important level that is shown. */
   ObjectProperty<LogLevel> levelProperty() {
     return level.valueProperty();
   }
 
-  /** Which drone shown lines are about; empty for all. */
+  /** The number of the drone whose lines are shown, from 1; empty for all drones. */
   ObservableValue<OptionalInt> droneProperty() {
     return drone
         .valueProperty()
         .map(number -> number.equals(ALL) ? OptionalInt.empty() : OptionalInt.of(number));
   }
 
-  /** What shown lines shall contain; empty for all lines. */
+  /** The text that visible lines must contain; empty for all lines. */
   ObservableStringValue searchProperty() {
     return search.textProperty();
   }
@@ -116,88 +104,46 @@ final class LogToolbar extends HBox {
     return autoscroll.selectedProperty();
   }
 
-  /** The font of the log at the scale that is chosen for the window. */
+  /** The font of the log at the window's scale. */
   ReadOnlyObjectProperty<Font> fontProperty() {
     return title.fontProperty();
   }
 
-  /** Lets one type what to search. */
+  /** Focuses the search field. */
   void startSearch() {
     search.requestFocus();
     search.selectAll();
   }
 
-  /** Lets one open the report of the last flight, from now on. */
+  /** Shows the button that opens the report of the last flight. */
   void offer(ReportOffer offer) {
     report.offer(offer);
   }
 
-  private void initializeSelf() {
-    getStyleClass().add("log-toolbar");
-    setAlignment(Pos.CENTER_LEFT);
-    setMinWidth(0); // or words would keep the window wide, and never become icons
-  }
-
-  private void initializeParts() {
-    title.getStyleClass().add("log-title");
-    level.setId("log-level");
+  private void initializeChoices(Language language, int drones) {
     level.getItems().setAll(LogLevel.DEBUG, LogLevel.INFO, LogLevel.WARN, LogLevel.ERROR);
     level.setValue(FIRST_LEVEL);
-    drone.setId("log-drone");
+    drone.getItems().add(ALL);
+    IntStream.rangeClosed(1, drones).forEach(drone.getItems()::add);
     drone.setValue(ALL);
-    drone.setVisible(drone.getItems().size() > 2);
-    drone.setManaged(drone.isVisible());
-    search.setId("log-search");
+    Nodes.setShown(drone, drones > 1);
+    Nodes.described(level, messages.text("level.tooltip"));
+    Nodes.described(drone, messages.text("drone.tooltip"));
+    Nodes.nameItems(
+        level, language.localeProperty(), value -> messages.now("level." + value.key()));
+    Nodes.nameItems(drone, language.localeProperty(), this::droneName);
+  }
+
+  private void initializeSearch() {
+    Button clearSearch = new Button("", new FontIcon(Feather.X));
+    Nodes.named(clearSearch, "log-search-clear", Styles.FLAT, "log-search-clear");
+    clearSearch.accessibleTextProperty().bind(messages.text("search.clear"));
+    clearSearch.visibleProperty().bind(search.textProperty().isNotEmpty());
+    clearSearch.setOnAction(action -> search.clear());
     search.setLeft(new FontIcon(Feather.SEARCH));
     search.setRight(clearSearch);
-    clearSearch.setId("log-search-clear");
-    clearSearch.getStyleClass().addAll(Styles.FLAT, "log-search-clear");
-    matches.setId("log-matches");
-    matches.getStyleClass().add("log-matches");
-    initializeButton(timeStamps, "timestamps");
-    initializeButton(autoscroll, "autoscroll");
-    initializeButton(copy, "copy");
-    initializeButton(save, "save");
-    initializeButton(clear, "clear");
-    initializeButton(fold, "fold");
-    fold.contentDisplayProperty().unbind();
-    fold.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
-    timeStamps.setSelected(true);
-    autoscroll.setSelected(true);
-  }
-
-  private void initializeButton(ButtonBase button, String name) {
-    button.setId("log-" + name);
-    button.getStyleClass().addAll(Styles.SMALL);
-    button.textProperty().bind(messages.text(name));
-    button.contentDisplayProperty().bind(display);
-    Tooltips.install(button, messages.text(name + ".tooltip"));
-  }
-
-  private void layoutParts() {
-    for (Node fixed :
-        new Node[] {title, level, drone, report, timeStamps, autoscroll, copy, save, clear, fold}) {
-      ((Region) fixed).setMinWidth(USE_PREF_SIZE);
-    }
-    getChildren()
-        .addAll(
-            title,
-            level,
-            drone,
-            search,
-            matches,
-            new Spacer(),
-            report,
-            timeStamps,
-            autoscroll,
-            copy,
-            save,
-            clear,
-            fold);
-  }
-
-  private void setupEventHandlers() {
-    clearSearch.setOnAction(action -> search.clear());
+    search.promptTextProperty().bind(messages.text("search"));
+    search.accessibleTextProperty().bind(messages.text("search"));
     search.addEventHandler(
         KeyEvent.KEY_PRESSED,
         event -> {
@@ -206,17 +152,46 @@ final class LogToolbar extends HBox {
             event.consume();
           }
         });
-    copy.setOnAction(action -> actions.copy().run());
-    save.setOnAction(action -> actions.save().run());
-    clear.setOnAction(action -> actions.clear().run());
-    fold.setOnAction(action -> actions.fold().run());
-    language
-        .localeProperty()
-        .subscribe(
-            locale -> {
-              level.setConverter(named(value -> messages.now("level." + value.key())));
-              drone.setConverter(named(this::droneName));
-            });
+  }
+
+  private void layoutParts(Actions actions, ObservableNumberValue found) {
+    Label matches = Nodes.named(new Label(), "log-matches", "log-matches");
+    matches
+        .textProperty()
+        .bind(found.flatMap(count -> messages.text(matchesKey(count.intValue()), count)));
+    matches.visibleProperty().bind(search.textProperty().isNotEmpty());
+    initializeButton(timeStamps, "timestamps", Feather.CLOCK);
+    initializeButton(autoscroll, "autoscroll", Feather.CHEVRONS_DOWN);
+    timeStamps.setSelected(true);
+    autoscroll.setSelected(true);
+    Button fold = button("fold", Feather.CHEVRON_DOWN, actions.fold());
+    fold.contentDisplayProperty().unbind();
+    fold.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
+    List.of(title, level, drone, report).forEach(Nodes::unshrinkable);
+    getChildren().addAll(title, level, drone, search, matches, new Spacer(), report);
+    getChildren()
+        .addAll(
+            timeStamps,
+            autoscroll,
+            button("copy", Feather.COPY, actions.copy()),
+            button("save", Feather.SAVE, actions.save()),
+            button("clear", Feather.TRASH, actions.clear()),
+            fold);
+  }
+
+  private Button button(String name, Feather icon, Runnable action) {
+    Button button = new Button();
+    initializeButton(button, name, icon);
+    button.setOnAction(pressed -> action.run());
+    return button;
+  }
+
+  private void initializeButton(ButtonBase button, String name, Feather icon) {
+    Nodes.named(Nodes.unshrinkable(button), "log-" + name, Styles.SMALL);
+    button.setGraphic(new FontIcon(icon));
+    button.textProperty().bind(messages.text(name));
+    button.contentDisplayProperty().bind(display);
+    Tooltips.install(button, messages.text(name + ".tooltip"));
   }
 
   private String droneName(Integer number) {
@@ -225,36 +200,5 @@ final class LogToolbar extends HBox {
 
   private static String matchesKey(int count) {
     return count == 0 ? "matches-none" : count == 1 ? "matches-one" : "matches";
-  }
-
-  private void setupBindings() {
-    title.textProperty().bind(messages.text("title"));
-    search.promptTextProperty().bind(messages.text("search"));
-    clearSearch.visibleProperty().bind(search.textProperty().isNotEmpty());
-    matches
-        .textProperty()
-        .bind(found.flatMap(count -> messages.text(matchesKey(count.intValue()), count)));
-    matches.visibleProperty().bind(search.textProperty().isNotEmpty());
-    Tooltips.install(level, messages.text("level.tooltip"));
-    Tooltips.install(drone, messages.text("drone.tooltip"));
-    level.accessibleTextProperty().bind(messages.text("level.tooltip"));
-    drone.accessibleTextProperty().bind(messages.text("drone.tooltip"));
-    search.accessibleTextProperty().bind(messages.text("search"));
-    clearSearch.accessibleTextProperty().bind(messages.text("search.clear"));
-  }
-
-  /** The names of what is chosen in the present language. */
-  private static <T> StringConverter<T> named(Function<T, String> name) {
-    return new StringConverter<>() {
-      @Override
-      public String toString(T value) {
-        return value == null ? "" : name.apply(value);
-      }
-
-      @Override
-      public T fromString(String typed) {
-        throw new UnsupportedOperationException("these are chosen, not typed");
-      }
-    };
   }
 }

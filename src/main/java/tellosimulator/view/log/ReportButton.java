@@ -7,14 +7,15 @@ import javafx.scene.control.ContentDisplay;
 import javafx.scene.layout.HBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.log.ReportOffer.Availability;
 import tellosimulator.view.text.Messages;
 
 /**
- * Opens the report of the last flight, or says why there is none; it takes no room until reports
- * are offered. In a frame, for a button that is disabled would show no tooltip itself. For the
- * JavaFX thread.
+ * The button that opens the report of the last flight. If there is no report, the tooltip explains
+ * why. The button takes no space until {@link #offer} is called. It is wrapped in a frame, because
+ * a disabled button does not show a tooltip. Confined to the JavaFX thread.
  */
 final class ReportButton extends HBox {
 
@@ -22,26 +23,23 @@ final class ReportButton extends HBox {
   private final Button button = new Button(null, new FontIcon(Feather.FILE_TEXT));
 
   /**
-   * @param display whether there is room for a word beside the icon
+   * @param display whether the button has a label beside its icon
    */
   ReportButton(Messages messages, String id, ObservableValue<ContentDisplay> display) {
     this.messages = messages;
-    button.setId(id);
-    button.getStyleClass().addAll(Styles.SMALL);
+    Nodes.named(Nodes.unshrinkable(button), id, Styles.SMALL);
     button.textProperty().bind(messages.text("report"));
     button.contentDisplayProperty().bind(display);
-    button.setMinWidth(USE_PREF_SIZE);
     getChildren().add(button);
-    setVisible(false);
-    managedProperty().bind(visibleProperty());
+    Nodes.setShown(this, false);
   }
 
-  /** Lets one open reports, from now on. */
+  /** Shows the button. A click opens the report of the given offer. */
   void offer(ReportOffer offer) {
     button.setOnAction(action -> offer.open());
     ObservableValue<Availability> availability = offer.availabilityProperty();
     button.disableProperty().bind(availability.map(now -> now != Availability.READY));
     Tooltips.install(this, availability.flatMap(now -> messages.text("report." + now.key())));
-    setVisible(true);
+    Nodes.setShown(this, true);
   }
 }

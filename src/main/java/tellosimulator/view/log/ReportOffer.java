@@ -3,30 +3,33 @@ package tellosimulator.view.log;
 import java.util.Locale;
 import javafx.beans.property.ReadOnlyObjectProperty;
 
-/** The report of the last recorded flight, for a button in the log's bar. For the JavaFX thread. */
+/**
+ * Provides the report of the last recorded flight for a button in the log's bar. Confined to the
+ * JavaFX thread.
+ */
 public interface ReportOffer {
 
-  /** Whether there is a report to be opened, or why not. */
+  /** Whether the report is available, and if not, why. */
   enum Availability {
     /** Flights are not recorded. */
     NOT_RECORDED,
     /** No drone has taken off yet. */
     NO_FLIGHT,
-    /** The first flight is not over. */
+    /** The first flight is not over yet. */
     IN_FLIGHT,
-    /** It is being written. */
+    /** The report is being written. */
     WRITING,
     READY;
 
-    /** Its name in keys of texts. */
+    /** Returns the name used in message keys. */
     String key() {
       return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
   }
 
-  /** Whether there is one. */
+  /** The availability of the report. */
   ReadOnlyObjectProperty<Availability> availabilityProperty();
 
-  /** Writes and opens it; what comes of it is told in the log. */
+  /** Writes and opens the report; the outcome is logged. */
   void open();
 }

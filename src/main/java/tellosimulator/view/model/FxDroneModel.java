@@ -1,28 +1,26 @@
 package tellosimulator.view.model;
 
-import java.util.Optional;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyDoubleProperty;
 import javafx.beans.property.ReadOnlyDoubleWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
-import tellosimulator.command.Peer;
-import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
-import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.drone.StatusLight;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * A drone as properties that views bind to: a mirror of the newest snapshot. Written once a pulse
- * by {@link FxSimulation}; for the JavaFX thread only.
+ * A drone as observable properties and values that mirror the latest snapshot. {@link FxSimulation}
+ * updates it at each UI tick. Confined to the JavaFX thread.
  *
- * <p>Positions are in the room frame and in centimetres, angles in degrees with the signs of the
- * wire: yaw clockwise from the heading at power-on, pitch nose up, roll right side down.
+ * <p>Numbers are for display: coordinates of the room frame in centimetres, and angles in degrees
+ * with the signs of the protocol. Yaw is clockwise from the heading at power-on, pitch is positive
+ * with the nose up, and roll is positive with the right side down.
  */
 public final class FxDroneModel {
 
@@ -33,17 +31,8 @@ public final class FxDroneModel {
   private final ReadOnlyObjectWrapper<Pose> start = new ReadOnlyObjectWrapper<>();
   private final ReadOnlyObjectWrapper<FlightPhase> phase =
       new ReadOnlyObjectWrapper<>(FlightPhase.OFF);
-  private final ReadOnlyObjectWrapper<Optional<Peer>> operator =
-      new ReadOnlyObjectWrapper<>(Optional.empty());
   private final ReadOnlyBooleanWrapper on = new ReadOnlyBooleanWrapper();
   private final ReadOnlyBooleanWrapper filming = new ReadOnlyBooleanWrapper();
-  private final ReadOnlyDoubleWrapper xCm = new ReadOnlyDoubleWrapper();
-  private final ReadOnlyDoubleWrapper yCm = new ReadOnlyDoubleWrapper();
-  private final ReadOnlyDoubleWrapper zCm = new ReadOnlyDoubleWrapper();
-  private final ReadOnlyDoubleWrapper yawDeg = new ReadOnlyDoubleWrapper();
-  private final ReadOnlyDoubleWrapper pitchDeg = new ReadOnlyDoubleWrapper();
-  private final ReadOnlyDoubleWrapper rollDeg = new ReadOnlyDoubleWrapper();
-  private final ReadOnlyDoubleWrapper speedCm = new ReadOnlyDoubleWrapper();
   private final ReadOnlyDoubleWrapper batteryPercent = new ReadOnlyDoubleWrapper();
   private DroneSnapshot pictured;
 
@@ -55,65 +44,50 @@ public final class FxDroneModel {
   }
 
   /**
-   * Takes over what the newest snapshot says.
+   * Updates the properties from the latest snapshot.
    *
-   * @param idle whether pictures shall show a lamp that does not blink
+   * @param idle whether the window is idle; the status light is then drawn without blinking
    */
   void update(DroneSnapshot newest, boolean idle) {
     snapshot.set(newest);
     pictured = idle ? StatusLight.steady(newest) : newest;
-    Pose newPose = newest.state().motion().pose();
-    if (!newPose.equals(pose.get())) {
-      pose.set(newPose);
-      show(newPose);
-    }
-    double turned = newest.state().reference().turned(newPose.attitude());
-    yawDeg.set(Frames.yawOfHeading(turned));
+    pose.set(newest.state().motion().pose());
     start.set(newest.start());
     phase.set(newest.state().phase());
-    operator.set(newest.link().operator());
     on.set(newest.state().phase() != FlightPhase.OFF);
     filming.set(on.get() && newest.link().sdkMode() && newest.state().video().on());
-    speedCm.set(Frames.centimeters(newest.state().motion().velocity().norm()));
     batteryPercent.set(newest.state().energy().battery().percent());
   }
 
-  private void show(Pose newPose) {
-    Vec3 position = newPose.position();
-    xCm.set(Frames.centimeters(position.x()));
-    yCm.set(Frames.centimeters(position.y()));
-    zCm.set(Frames.centimeters(position.z()));
-    Attitude attitude = newPose.attitude();
-    pitchDeg.set(Math.toDegrees(attitude.elevation()));
-    rollDeg.set(Math.toDegrees(attitude.bank()));
-  }
-
-  /** Its number, from 1. */
+  /** Returns the drone's number, from 1. */
   public int number() {
     return number;
   }
 
-  /** Its colours, which stay. */
+  /** Returns the drone's colours. They never change. */
   public Livery livery() {
     return livery;
   }
 
-  /** Everything about it; a new value each pulse while something changes. */
+  /** The complete snapshot. It is replaced at each UI tick while anything changes. */
   public ReadOnlyObjectProperty<DroneSnapshot> snapshotProperty() {
     return snapshot.getReadOnlyProperty();
   }
 
-  /** What pictures show of it: the same, but for a lamp that does not blink in an idle window. */
+  /**
+   * Returns the snapshot to draw. It equals {@link #snapshotProperty}, except in an idle window,
+   * where the status light does not blink.
+   */
   public DroneSnapshot pictured() {
     return pictured;
   }
 
-  /** Position of its feet and attitude, room frame [m]. */
+  /** The position of the drone's feet [m] and the drone's attitude, both in the room frame. */
   public ReadOnlyObjectProperty<Pose> poseProperty() {
     return pose.getReadOnlyProperty();
   }
 
-  /** Where a reset puts it, room frame [m]. */
+  /** The pose to which a reset returns the drone, in the room frame [m]. */
   public ReadOnlyObjectProperty<Pose> startProperty() {
     return start.getReadOnlyProperty();
   }
@@ -122,55 +96,59 @@ public final class FxDroneModel {
     return phase.getReadOnlyProperty();
   }
 
-  /** Who gets its state and video; empty until a first {@code command}. */
-  public ReadOnlyObjectProperty<Optional<Peer>> operatorProperty() {
-    return operator.getReadOnlyProperty();
-  }
-
-  /** Whether it has power. */
+  /** Whether the drone is switched on. */
   public ReadOnlyBooleanProperty onProperty() {
     return on.getReadOnlyProperty();
   }
 
-  /** Whether it sends its video to an operator. */
+  /** Whether the drone sends video to an operator. */
   public ReadOnlyBooleanProperty filmingProperty() {
     return filming.getReadOnlyProperty();
   }
 
-  public ReadOnlyDoubleProperty xCmProperty() {
-    return xCm.getReadOnlyProperty();
+  public double xCm() {
+    return Frames.centimeters(pose().position().x());
   }
 
-  public ReadOnlyDoubleProperty yCmProperty() {
-    return yCm.getReadOnlyProperty();
+  public double yCm() {
+    return Frames.centimeters(pose().position().y());
   }
 
-  /** Height of its feet above the floor. */
-  public ReadOnlyDoubleProperty zCmProperty() {
-    return zCm.getReadOnlyProperty();
+  /** Returns the height of the drone's feet above the floor [cm]. */
+  public double zCm() {
+    return Frames.centimeters(pose().position().z());
   }
 
   /**
-   * Clockwise seen from above, within ±180: what the state line says, but for noise. 0 is where the
-   * nose pointed when the power came or the drone was put back to its start.
+   * Returns the yaw, clockwise seen from above, within ±180 [deg]. This is the yaw that the drone
+   * reports in its state line, but without noise. 0 is the direction of the nose when the drone was
+   * switched on or returned to its start.
    */
-  public ReadOnlyDoubleProperty yawDegProperty() {
-    return yawDeg.getReadOnlyProperty();
+  public double yawDeg() {
+    return Frames.yawOfHeading(state().reference().turned(pose().attitude()));
   }
 
-  /** Nose up is positive. */
-  public ReadOnlyDoubleProperty pitchDegProperty() {
-    return pitchDeg.getReadOnlyProperty();
+  /** Returns the pitch; nose up is positive [deg]. */
+  public double pitchDeg() {
+    return Math.toDegrees(pose().attitude().elevation());
   }
 
-  /** Right side down is positive. */
-  public ReadOnlyDoubleProperty rollDegProperty() {
-    return rollDeg.getReadOnlyProperty();
+  /** Returns the roll; right side down is positive [deg]. */
+  public double rollDeg() {
+    return Math.toDegrees(pose().attitude().bank());
   }
 
-  /** Speed in space [cm/s]. */
-  public ReadOnlyDoubleProperty speedCmProperty() {
-    return speedCm.getReadOnlyProperty();
+  /** Returns the speed in three dimensions [cm/s]. */
+  public double speedCm() {
+    return Frames.centimeters(state().motion().velocity().norm());
+  }
+
+  private DroneState state() {
+    return snapshot.get().state();
+  }
+
+  private Pose pose() {
+    return state().motion().pose();
   }
 
   public ReadOnlyDoubleProperty batteryPercentProperty() {

@@ -3,6 +3,7 @@ package tellosimulator.view.model;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javafx.beans.property.ReadOnlyBooleanProperty;
@@ -15,11 +16,10 @@ import tellosimulator.goal.Progress;
 import tellosimulator.scenario.DroneOrigin;
 import tellosimulator.scenario.EditedScenario;
 import tellosimulator.scenario.Gallery;
-import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 
 /**
- * The scenario that is flown, for views: what it asks for, and how far the drones have come. For
+ * The running scenario as the views see it: its challenge, and the drones' progress. Confined to
  * the JavaFX thread.
  */
 public final class FxScenario {
@@ -34,10 +34,10 @@ public final class FxScenario {
   private final ReadOnlyObjectWrapper<Progress> progress;
 
   /**
-   * @param scenario as it begins
-   * @param goals which watches the simulation
-   * @param asking asks something else of the drones
-   * @param actions where other scenarios are had
+   * @param scenario the scenario as it is when the window opens
+   * @param goals observes the drones' progress
+   * @param asking sets another challenge
+   * @param actions opens and saves scenarios
    */
   public FxScenario(
       EditedScenario scenario,
@@ -53,32 +53,26 @@ public final class FxScenario {
     this.progress = new ReadOnlyObjectWrapper<>(goals.progress());
   }
 
-  /** A scenario that asks for nothing. */
-  static FxScenario none(Scenario scenario) {
-    GoalWatch idle = new GoalWatch(scenario.challenge(), news -> {});
-    EditedScenario plain = EditedScenario.of(OpenedScenario.once(scenario));
-    return new FxScenario(plain, idle, idle::ask, ScenarioActions.CLOSED);
-  }
-
-  /** Takes over how far the drones have come; called once a pulse. */
+  /** Updates the progress. Must be called at each UI tick. */
   void update() {
     Progress now = newest.get();
-    if (now.challenge().equals(challenge())) { // otherwise the simulation has not heard of it yet
+    // Until the simulation adopts a new challenge, it reports the progress of the old one.
+    if (now.challenge().equals(challenge())) {
       progress.set(now);
     }
   }
 
-  /** As it began. */
+  /** Returns the scenario as it was when the window opened. Later changes are not included. */
   public Scenario scenario() {
     return scenario.present();
   }
 
-  /** Where its drones come from, in the order of their numbers. */
+  /** Returns the origins of the scenario's drones, in the order of the drones' numbers. */
   public List<DroneOrigin> origins() {
     return scenario.origins();
   }
 
-  /** What is asked of the drones now. */
+  /** The current challenge. */
   public ReadOnlyObjectProperty<Challenge> challengeProperty() {
     return challenge.getReadOnlyProperty();
   }
@@ -88,14 +82,19 @@ public final class FxScenario {
     return challenge.get();
   }
 
-  /** Asks something else of the drones, which begin anew with it. While none of them flies. */
+  /**
+   * Sets another challenge and starts it from the beginning. Must not be called while a drone is
+   * flying.
+   */
   public void ask(Challenge newChallenge) {
     asking.accept(newChallenge);
     progress.set(Progress.start(newChallenge));
     challenge.set(newChallenge);
   }
 
-  /** From which it came or to which it was saved; empty for none. */
+  /**
+   * The file from which the scenario was loaded or to which it was saved; empty if there is none.
+   */
   public ReadOnlyObjectProperty<Optional<Path>> fileProperty() {
     return file.getReadOnlyProperty();
   }
@@ -105,12 +104,12 @@ public final class FxScenario {
     return file.get();
   }
 
-  /** It has been written to a file. */
+  /** Sets the file to which the scenario was written. */
   public void savedAs(Path newFile) {
     file.set(Optional.of(newFile));
   }
 
-  /** Whether there is something that no file has. */
+  /** Whether there are changes that have not been saved to a file. */
   public ReadOnlyBooleanProperty unsavedProperty() {
     return unsaved.getReadOnlyProperty();
   }
@@ -119,24 +118,36 @@ public final class FxScenario {
     unsaved.set(newUnsaved);
   }
 
-  /** The short name of the scenario of the program that follows; empty if there is none. */
+  /**
+   * Returns the short name of the next scenario of the gallery; empty after the last one, or if
+   * this scenario is not in the gallery.
+   */
   public Optional<String> next() {
     return scenario.opened().known().flatMap(Gallery::next);
   }
 
-  /** Where other scenarios are had. */
+  /** Returns the seed from which the course was drawn; empty if the scenario has no ranges. */
+  public OptionalLong course() {
+    return scenario.opened().varies()
+        ? OptionalLong.of(scenario().config().seed())
+        : OptionalLong.empty();
+  }
+
+  /** Returns the actions that open and save scenarios. */
   public ScenarioActions actions() {
     return actions;
   }
 
-  /** Whether nobody chose it: an empty room. */
+  /**
+   * Returns whether this is the empty default room rather than a scenario that the user has chosen.
+   */
   public boolean plain() {
     return file().isEmpty()
         && scenario().description().name().isEmpty()
         && challenge().goals().isEmpty();
   }
 
-  /** How far the drones have come. */
+  /** The drones' progress. */
   public ReadOnlyObjectProperty<Progress> progressProperty() {
     return progress.getReadOnlyProperty();
   }

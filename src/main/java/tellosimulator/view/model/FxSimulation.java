@@ -1,6 +1,7 @@
 package tellosimulator.view.model;
 
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
@@ -9,6 +10,7 @@ import javafx.beans.property.ReadOnlyDoubleWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
 import tellosimulator.sim.SimSnapshot;
@@ -19,17 +21,20 @@ import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
- * The simulation as properties that views bind to: a mirror of the newest snapshot, and what the
- * window alone decides about it (which drone is looked at). For the JavaFX thread only.
+ * The simulation as observable properties. Most of them mirror the latest snapshot; others hold the
+ * window's own state, such as the selected drone. Confined to the JavaFX thread.
  */
 public final class FxSimulation {
 
-  /** Time between two drawings while nothing moves [ns]. Decided: a clock's second. */
+  /**
+   * Time between two redraws while nothing moves, unless the window is idle [ns]. Decided: the
+   * clock still shows each second.
+   */
   private static final long STILL_PERIOD = 1_000_000_000;
 
   /**
-   * The same in an idle window [ns]. Measured: a frame takes 30 ms of a processor where Mesa's
-   * llvmpipe draws, however little of it changes.
+   * Time between two redraws in an idle window [ns]. Measured: with Mesa's llvmpipe, a frame takes
+   * 30 ms of processor time, however little of it changes.
    */
   private static final long IDLE_PERIOD = 2_000_000_000;
 
@@ -47,7 +52,7 @@ public final class FxSimulation {
   private BooleanSupplier idle = () -> false;
   private SimSnapshot snapshot;
 
-  /** Shows a first snapshot, and looks at its first drone. */
+  /** Creates the model from the first snapshot, and selects the first drone. */
   public FxSimulation(SimSnapshot first) {
     snapshot = first;
     first.drones().forEach(drone -> drones.add(new FxDroneModel(drone)));
@@ -55,7 +60,7 @@ public final class FxSimulation {
     update(first);
   }
 
-  /** Takes over what the newest snapshot says; called once a pulse. */
+  /** Updates the properties from the latest snapshot. Must be called at each UI tick. */
   public void update(SimSnapshot newest) {
     snapshot = newest;
     arena.set(newest.arena());
@@ -70,16 +75,19 @@ public final class FxSimulation {
     }
   }
 
-  /** Draws less often while the window is idle, and shows drones whose lamps do not blink. */
+  /**
+   * Sets the condition under which the window is idle. An idle window draws less often, and shows
+   * the drones' status lights without blinking.
+   */
   void setIdle(BooleanSupplier newIdle) {
     idle = newIdle;
   }
 
   /**
-   * Time between two drawings of what tells of time. Longer while nothing moves: where the
-   * processor draws, each costs much.
+   * Returns the time between two redraws of values that change with time. It is longer while
+   * nothing moves, because each redraw is expensive with software rendering.
    *
-   * @param moving while something moves [ns]
+   * @param moving the period while something moves [ns]
    */
   public long period(long moving) {
     if (!still()) {
@@ -89,8 +97,8 @@ public final class FxSimulation {
   }
 
   /**
-   * Whether nothing moves, because time stands still or no drone has its motors on, falls, or has
-   * lights that change.
+   * Returns whether nothing moves: either time is paused, or no drone has running motors, is
+   * falling, or has animated lights.
    */
   public boolean still() {
     return paused.get()
@@ -99,17 +107,20 @@ public final class FxSimulation {
             .noneMatch(state -> state.phase().moving() || state.lights().animated());
   }
 
-  /** What pictures show: the snapshot, but for the lamps of an idle window, which do not blink. */
+  /**
+   * Returns the snapshot to draw. It equals {@link #snapshot}, except in an idle window, where
+   * status lights do not blink.
+   */
   public SimSnapshot pictured() {
     return snapshot.withDrones(drones.stream().map(FxDroneModel::pictured).toList());
   }
 
-  /** The snapshot of which this is the mirror. */
+  /** Returns the latest snapshot, which the properties mirror. */
   public SimSnapshot snapshot() {
     return snapshot;
   }
 
-  /** In the order of their numbers. */
+  /** Returns the drones in the order of their numbers. */
   public ObservableList<FxDroneModel> drones() {
     return readOnlyDrones;
   }
@@ -119,22 +130,28 @@ public final class FxSimulation {
     return selected;
   }
 
-  /** The drone that panels and cameras show. */
+  /** Returns the drone that panels and cameras show. */
   public FxDroneModel selected() {
     return selected.get();
   }
 
+  /** Returns the value of a property of the selected drone. The value follows the selection. */
+  public <T> ObservableValue<T> selected(
+      Function<FxDroneModel, ? extends ObservableValue<? extends T>> property) {
+    return selected.flatMap(property);
+  }
+
   /**
-   * Looks at another drone; the last one is followed by the first.
+   * Selects the next or the previous drone; the last drone is followed by the first.
    *
-   * @param steps 1 for the next, -1 for the one before
+   * @param steps 1 for the next, -1 for the previous drone
    */
   public void selectNext(int steps) {
     int index = Math.floorMod(drones.indexOf(selected()) + steps, drones.size());
     selected.set(drones.get(index));
   }
 
-  /** The room with all that is in it. */
+  /** The room with everything in it. */
   public ReadOnlyObjectProperty<Arena> arenaProperty() {
     return arena.getReadOnlyProperty();
   }
@@ -143,7 +160,7 @@ public final class FxSimulation {
     return room.getReadOnlyProperty();
   }
 
-  /** What the room looks like. */
+  /** The appearance of the room. */
   public ReadOnlyObjectProperty<Decor> decorProperty() {
     return decor.getReadOnlyProperty();
   }
@@ -161,7 +178,7 @@ public final class FxSimulation {
     return seconds.getReadOnlyProperty();
   }
 
-  /** What of simulated time was left out, because the machine was too slow [simulated s]. */
+  /** Simulated time that was skipped because the machine was too slow [simulated s]. */
   public ReadOnlyDoubleProperty lostSecondsProperty() {
     return lostSeconds.getReadOnlyProperty();
   }

@@ -10,34 +10,36 @@ import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
- * The command that was sent or failed last, and what became of it. Reads and {@code rc} do not
- * count, nor does the success of a command that was sent before it: what is shown is the last line
- * of the log. Told on the simulation thread; for any thread.
+ * Stores the command that was most recently received or that most recently failed, with its
+ * outcome. Read commands and {@code rc} are ignored, and so is the late success of an earlier
+ * command. Events arrive on the simulation thread. Thread-safe.
  */
 public final class LastCommand implements SimListener {
 
-  /** What became of a command. */
+  /** The outcome of a command. */
   public enum Outcome {
-    /** It is not answered yet. */
+    /** Not answered yet. */
     RUNNING,
     DONE,
-    /** It was refused, failed, was ignored or lost. */
+    /** Refused, failed, ignored or lost. */
     FAILED
   }
 
   /**
-   * A command.
+   * A command and its outcome.
    *
-   * @param drone its number, from 1
-   * @param text as it was sent
-   * @param reply as it was answered; empty without an answer
-   * @param reason why it failed, if it is known
+   * @param drone the number of the drone, from 1
+   * @param number the number of the command among all commands of the drone; 0 if the drone never
+   *     accepted it
+   * @param text the command in printable form
+   * @param reply the reply of the drone in printable form; empty if there is none
+   * @param reason the reason for a failure, if it is known
    */
   public record Shown(
-      int drone, String text, Outcome outcome, String reply, Optional<Phrase> reason) {
+      int drone, int number, String text, Outcome outcome, String reply, Optional<Phrase> reason) {
 
     private boolean isAbout(Shown other) {
-      return drone == other.drone && text.equals(other.text);
+      return drone == other.drone && number == other.number;
     }
   }
 
@@ -45,24 +47,32 @@ public final class LastCommand implements SimListener {
 
   private volatile SimTime heard = SimTime.ZERO;
 
-  /** The command; empty if there was none yet. */
+  /**
+   * Returns the latest command; empty if there has been none yet, or none since the last {@link
+   * #clear}.
+   */
   public Optional<Shown> newest() {
     return newest.get();
   }
 
-  /** Simulated time since something was heard of any program, reads and {@code rc} too [s]. */
+  /**
+   * Returns the simulated time since the last datagram from any program, or since the start of the
+   * run [s]. Read commands and {@code rc} count, too.
+   *
+   * @param nowSeconds the current simulated time [s]
+   */
   public double silence(double nowSeconds) {
     return Math.max(0, nowSeconds - heard.seconds());
   }
 
-  /** Forgets it. */
+  /** Forgets the latest command. */
   public void clear() {
     newest.set(Optional.empty());
   }
 
   @Override
   public void event(SimEvent event) {
-    if (event instanceof SimEvent.FromPeer || event instanceof SimEvent.Restarted) {
+    if (event instanceof SimEvent.FromPeer || event instanceof SimEvent.RunStarted) {
       heard = event.time();
     }
     if (event instanceof SimEvent.FromPeer about && about.severity() != Severity.DETAIL) {
@@ -109,6 +119,7 @@ public final class LastCommand implements SimListener {
     return Optional.of(
         new Shown(
             about.drone(),
+            about instanceof SimEvent.OfCommand known ? known.request().number() : 0,
             WireText.printable(about.text()),
             outcome,
             WireText.printable(reply.stripTrailing()),

@@ -7,84 +7,57 @@ import tellosimulator.scenario.PlannedDrone;
 import tellosimulator.world.Arena;
 
 /**
- * What a person can do with scenarios and recordings: choose, open, reload, save. What goes wrong
- * is told in the window, which then goes on as before. For the JavaFX thread.
+ * The user's actions on scenarios and recordings: choose, open, reload, save. If unsaved changes
+ * would be lost, the user is asked before a scenario is opened, reloaded or restarted. Errors are
+ * shown in the window, which then continues as before. Confined to the JavaFX thread.
  */
 public interface ScenarioActions {
 
-  /** One that has no scenarios. */
-  ScenarioActions CLOSED =
-      new ScenarioActions() {
-        @Override
-        public void choose() {}
-
-        @Override
-        public void open(Path file) {}
-
-        @Override
-        public void openEmpty() {}
-
-        @Override
-        public void openRecording(Path place) {}
-
-        @Override
-        public void openKnown(String name) {}
-
-        @Override
-        public void beginAnew(StartSettings settings) {}
-
-        @Override
-        public boolean replan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
-          return false;
-        }
-
-        @Override
-        public void reload() {}
-
-        @Override
-        public void save(Path file) {}
-      };
-
-  /** Shows what there is, or closes that page. */
+  /** Opens the gallery, or closes it if it is open. */
   void choose();
 
-  /** Opens a file in place of what is flown; asks before edits are lost, as those below do. */
+  /** Opens a file in place of the current scenario. */
   void open(Path file);
 
   /**
-   * Opens a scenario that comes with the program.
+   * Opens a scenario of the gallery.
    *
    * @param name its short name
    */
   void openKnown(String name);
 
-  /** Opens the default room, with one drone and nothing to do. */
+  /** Opens the default room, with one drone and without goals. */
   void openEmpty();
 
   /**
-   * Opens a recording in a player of its own, beside what is flown.
+   * Opens a recording in a separate player; the current scenario stays open.
    *
-   * @param place its folder, or a file in it
+   * @param place the recording's folder, or a file in it
    */
   void openRecording(Path place);
 
-  /** Begins what is flown anew, with other settings, after a question. */
+  /**
+   * Starts a new run of the current scenario with other settings, after the user has confirmed it.
+   */
   void beginAnew(StartSettings settings);
 
   /**
-   * Begins what is flown anew with other drones, as somebody has planned them, and with what was
-   * planned until now still there to be undone.
+   * Starts a new run of the current scenario with the planned room, drones and challenge. The undo
+   * history of the plan editor is kept.
    *
-   * @return whether it did; if not, the window says why
+   * @return whether the run was started; if not, the window shows why
    */
   boolean replan(Arena arena, List<PlannedDrone> drones, Challenge challenge);
 
-  /** Opens again what is flown. */
+  /** Opens the current scenario again, with the course that is drawn from the next seed. */
+  void openNextCourse();
+
+  /** Reloads the current scenario. */
   void reload();
 
   /**
-   * Writes room, drones and goals, as they are now, to a file, which from then on is the opened.
-   * Asks before it loses what another program has written into that file.
+   * Saves the current room, drones and goals to a file, which then counts as the opened file. Asks
+   * the user before overwriting changes that another program has made to the file.
    */
   void save(Path file);
 }

@@ -4,13 +4,17 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.video.WindowVideo;
 
 /**
- * What views of the room are built with, be it of a running simulation or of a recording.
+ * The context of views that show the room of a running simulation or of a recording.
  *
- * @param simulation what they show
- * @param language in which they speak
- * @param pulse when they move on
- * @param video what the drones film
- * @param marks what is marked in them
+ * @param simulation the simulation that the views show
+ * @param language the language of the views' texts
+ * @param ticker notifies the views when to update
+ * @param video the video of the drones
+ * @param marks the items that are drawn over the room
  */
 public record SceneContext(
-    FxSimulation simulation, Language language, Pulse pulse, WindowVideo video, FxMarks marks) {}
+    FxSimulation simulation,
+    Language language,
+    UiTicker ticker,
+    WindowVideo video,
+    FxOverlayItems marks) {}

@@ -23,14 +23,14 @@ import tellosimulator.network.Traffic;
 import tellosimulator.sim.Control;
 
 /**
- * What the window can do to the simulation: one message for each thing that a person does. For the
- * JavaFX thread, which never waits: a worker carries them out in their order, because a port may
- * take a while to open and a busy simulation a while to answer. Answers come at the pulse whose
- * snapshot shows what was done.
+ * Carries out the user's actions on the simulation. Confined to the JavaFX thread, which is never
+ * blocked: a worker carries out the actions in order, because opening a port or waiting for a busy
+ * simulation may take a while. Each answer is delivered at the UI tick whose snapshot shows the
+ * result of the action.
  */
 public final class SimulatorActions implements AutoCloseable {
 
-  /** Something that may take a while. */
+  /** An action that may take a while. */
   @FunctionalInterface
   private interface Task {
     void run() throws PortTakenException;
@@ -40,7 +40,7 @@ public final class SimulatorActions implements AutoCloseable {
   private final BlockingQueue<Runnable> tasks = new LinkedBlockingQueue<>();
   private final Queue<Runnable> answers = new ConcurrentLinkedQueue<>();
 
-  /** Those that came before the snapshot that the window shows was taken. */
+  /** The answers that arrived before the displayed snapshot was taken. */
   private final Queue<Runnable> due = new ArrayDeque<>();
 
   private volatile Runnable answered = () -> {};
@@ -54,15 +54,15 @@ public final class SimulatorActions implements AutoCloseable {
   }
 
   /**
-   * Tells somebody whenever there is something to {@link #collect}.
+   * Sets a listener that is notified whenever an answer is ready for {@link #collect}.
    *
-   * @param listener is called on the worker's thread
+   * @param listener called on the worker's thread
    */
   void onAnswered(Runnable listener) {
     answered = listener;
   }
 
-  /** Carries out one task after the other; what fails is told, and the next one is tried. */
+  /** Carries out one task after another. A failure is logged and does not affect the next task. */
   private final class Tasks implements Agent {
 
     private final ErrorPolicy failed = ErrorPolicy.goOn("What was done in the window failed");
@@ -79,15 +79,15 @@ public final class SimulatorActions implements AutoCloseable {
     }
   }
 
-  /** Uses a drone's power switch. */
+  /** Switches a drone on or off. */
   public void switchPower(int drone, boolean on) {
     switchPower(drone, on, refusal -> {});
   }
 
   /**
-   * Uses a drone's power switch.
+   * Switches a drone on or off.
    *
-   * @param answer takes why it stays off, if one of its ports cannot be had; empty if it was done
+   * @param answer receives the reason if one of the ports is not available; empty on success
    */
   public void switchPower(int drone, boolean on, Consumer<Optional<PortTakenException>> answer) {
     submit(
@@ -98,12 +98,12 @@ public final class SimulatorActions implements AutoCloseable {
         });
   }
 
-  /** Tells somebody of each drone that stays off, and why. */
+  /** Sets a listener that receives the reason whenever a drone cannot be switched on. */
   public void onRefused(ObjIntConsumer<PortTakenException> listener) {
     refused = listener;
   }
 
-  /** Does anything else than using the power switch. */
+  /** Carries out any control other than the power switch. */
   public void carryOut(Control control) {
     if (control instanceof Control.Power) {
       throw new IllegalArgumentException("the power switch is switchPower's");
@@ -111,7 +111,7 @@ public final class SimulatorActions implements AutoCloseable {
     submit(() -> simulation.carryOut(control), refusal -> {});
   }
 
-  /** Lets time stand still, or go on. */
+  /** Pauses or resumes time. */
   public void togglePause() {
     submit(
         () -> simulation.carryOut(new Control.Pause(!simulation.snapshot().clock().paused())),
@@ -119,18 +119,18 @@ public final class SimulatorActions implements AutoCloseable {
   }
 
   /**
-   * Lets a drone listen on another port from the next time it is switched on.
+   * Sets the port on which a drone listens when it is next switched on.
    *
-   * @param done is called when it does
+   * @param done called when the port is set
    */
   public void setCommandPort(int drone, int port, Runnable done) {
     submit(() -> simulation.setCommandPort(drone, port), refusal -> done.run());
   }
 
   /**
-   * Lets other machines reach the drones, or no longer; at once.
+   * Makes the drones reachable or unreachable from other machines, with immediate effect.
    *
-   * @param done is called when they do
+   * @param done called when the change has taken effect
    */
   public void setReachableFromNetwork(boolean reachable, Runnable done) {
     submit(
@@ -142,7 +142,7 @@ public final class SimulatorActions implements AutoCloseable {
     pending.incrementAndGet();
     tasks.add(
         () -> {
-          Runnable result = () -> {}; // what fails is logged, and nobody goes on as if it were done
+          Runnable result = () -> {}; // any other failure is only logged
           try {
             task.run();
             result = () -> answer.accept(Optional.empty());
@@ -155,12 +155,18 @@ public final class SimulatorActions implements AutoCloseable {
         });
   }
 
-  /** Whether something was not carried out yet, so that snapshots do not show it; any thread. */
+  /**
+   * Returns whether any action is pending, which means that snapshots do not show its result yet.
+   * Thread-safe.
+   */
   public boolean pending() {
     return pending.get() > 0;
   }
 
-  /** Does something as soon as all that was done before is shown by snapshots; at once if it is. */
+  /**
+   * Runs an action once snapshots show the results of all earlier actions, or immediately if they
+   * already do.
+   */
   public void afterPending(Runnable next) {
     if (pending()) {
       submit(() -> {}, refusal -> next.run());
@@ -169,14 +175,17 @@ public final class SimulatorActions implements AutoCloseable {
     }
   }
 
-  /** Takes the answers that have come; called before a snapshot is taken, which so shows them. */
+  /**
+   * Collects the answers that have arrived. Must be called before a snapshot is taken, so that the
+   * snapshot shows their results.
+   */
   void collect() {
     for (Runnable answer = answers.poll(); answer != null; answer = answers.poll()) {
       due.add(answer);
     }
   }
 
-  /** Hands over what was collected; called before views look at the snapshot. */
+  /** Delivers the collected answers. Must be called before views read the snapshot. */
   void deliver() {
     for (Runnable answer = due.poll(); answer != null; answer = due.poll()) {
       pending.decrementAndGet();
@@ -185,32 +194,32 @@ public final class SimulatorActions implements AutoCloseable {
   }
 
   /**
-   * Sets a listener that is notified on the JavaFX thread, once for each reason why nothing comes
-   * to drones or from them.
+   * Sets a listener that is notified on the JavaFX thread, once for each reason why drones are not
+   * receiving or sending anything.
    */
   public void onSilence(Consumer<Silence> listener) {
     simulation.onSilence(silence -> Platform.runLater(() -> listener.accept(silence)));
   }
 
-  /** Where a drone listens while it is on. */
+  /** Returns the addresses at which a drone listens while it is on. */
   public List<InetSocketAddress> addresses(int drone) {
     return simulation.addresses(drone);
   }
 
-  /** Whether other machines of the local networks reach the drones. */
+  /** Returns whether other machines on the local networks can reach the drones. */
   public boolean reachableFromNetwork() {
     return simulation.reach() == Reach.NETWORK;
   }
 
-  /** What a drone received and sent. */
+  /** Returns the traffic that a drone has received and sent. */
   public Traffic traffic(int drone) {
     return simulation.traffic(drone);
   }
 
-  /** Carries out nothing more; what waits is dropped. */
+  /** Stops the worker. Waiting tasks are dropped. */
   @Override
   public void close() {
     worker.end();
-    tasks.add(() -> {}); // which lets it see that it has ended
+    tasks.add(() -> {}); // wakes the worker, so that it ends
   }
 }

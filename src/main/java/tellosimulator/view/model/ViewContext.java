@@ -1,87 +1,71 @@
 package tellosimulator.view.model;
 
-import java.util.List;
 import tellosimulator.network.OnlineSimulation;
-import tellosimulator.scenario.Scenario;
 import tellosimulator.scenery.overlay.ContactLog;
-import tellosimulator.sim.DroneSetup;
-import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
-import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.WindowVideo;
 
 /**
- * What each view is built with.
+ * The context with which each view is built.
  *
- * @param simulation what it shows
- * @param actions what it can do
- * @param language in which it speaks
- * @param pulse when it moves on
- * @param video what the drones film
- * @param scenario what the drones shall do
- * @param lastCommand what the drones were told last
- * @param marks where the drones shall do it, and what they touched
+ * @param simulation the simulation that the view shows
+ * @param actions the actions on the simulation
+ * @param language the language of the texts
+ * @param ticker notifies the view when to update
+ * @param video the video of the drones
+ * @param scenario the scenario with its challenge
+ * @param lastCommand the latest command that was sent to a drone
+ * @param marks the goals and contacts that are drawn over the room
  */
 public record ViewContext(
     FxSimulation simulation,
     SimulatorActions actions,
     Language language,
-    Pulse pulse,
+    UiTicker ticker,
     WindowVideo video,
     FxScenario scenario,
     LastCommand lastCommand,
-    FxMarks marks) {
+    FxOverlayItems marks) {
 
-  /** Lets the window show at once what happens. */
-  private record WakeOnEvent(Pulse pulse) implements SimListener {
+  /** Wakes the window on each event, so that the window shows the event without delay. */
+  private record WakeOnEvent(UiTicker ticker) implements SimListener {
     @Override
     public void event(SimEvent event) {
-      pulse.wake();
+      ticker.wake();
     }
   }
 
-  /** What views of the room need of it. */
+  /** Returns the part of the context that views of the room need. */
   public SceneContext scene() {
-    return new SceneContext(simulation, language, pulse, video, marks);
+    return new SceneContext(simulation, language, ticker, video, marks);
   }
 
-  /** The context of a window on a running simulation that nobody asks for anything. */
-  public static ViewContext of(OnlineSimulation online, Language language, WindowVideo video) {
-    List<DroneSetup> drones =
-        SimConfig.alike(online.snapshot().drones().stream().map(DroneSnapshot::start).toList());
-    return of(
-        online,
-        language,
-        video,
-        FxScenario.none(Scenario.of(SimConfig.DEFAULT.withDrones(drones))));
-  }
-
-  /** The context of a window on a running simulation. */
+  /** Returns the context of a window that shows a running simulation. */
   public static ViewContext of(
       OnlineSimulation online, Language language, WindowVideo video, FxScenario scenario) {
     FxSimulation simulation = new FxSimulation(online.snapshot());
     SimulatorActions actions = new SimulatorActions(online);
-    Pulse pulse =
-        new Pulse(
+    UiTicker ticker =
+        new UiTicker(
             () -> {
               actions.collect();
               simulation.update(online.snapshot());
               scenario.update();
             },
             simulation::still);
-    simulation.setIdle(pulse::idle);
-    actions.onAnswered(pulse::wake);
-    pulse.onBeat(nanos -> actions.deliver());
+    simulation.setIdle(ticker::idle);
+    actions.onAnswered(ticker::wake);
+    ticker.onTick(nanos -> actions.deliver());
     LastCommand lastCommand = new LastCommand();
     online.listen(lastCommand);
     ContactLog contacts = new ContactLog();
-    online.listen(contacts); // before it wakes the window, which shows what it has
-    online.listen(new WakeOnEvent(pulse));
-    pulse.onBeat(nanos -> video.advance());
-    FxMarks marks = new FxMarks(scenario.progressProperty()::get, contacts::marks);
+    online.listen(contacts); // before WakeOnEvent, which makes the window show contacts
+    online.listen(new WakeOnEvent(ticker));
+    ticker.onTick(nanos -> video.advance());
+    FxOverlayItems marks = new FxOverlayItems(scenario.progressProperty()::get, contacts::marks);
     return new ViewContext(
-        simulation, actions, language, pulse, video, scenario, lastCommand, marks);
+        simulation, actions, language, ticker, video, scenario, lastCommand, marks);
   }
 }

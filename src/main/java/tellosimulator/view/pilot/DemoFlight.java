@@ -5,12 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
-import javafx.beans.property.ReadOnlyIntegerProperty;
-import javafx.beans.property.ReadOnlyIntegerWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
-import javafx.beans.property.ReadOnlyStringProperty;
-import javafx.beans.property.ReadOnlyStringWrapper;
 import tellosimulator.goal.Challenge;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.SimSnapshot;
@@ -19,48 +15,61 @@ import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Message;
 
 /**
- * A flight that needs no operator program: a {@link GoalRoute} where there is one, or else a {@link
- * DemoTour}, command by command through the drone's real port. For the JavaFX thread; it moves on
- * with the pulse.
+ * A flight without an operator program. It follows a {@link GoalRoute} if there is one, and
+ * otherwise a {@link DemoTour}, and sends the commands one by one to the drone's UDP command port.
+ * Confined to the JavaFX thread; advances with the UI ticks.
  */
 public final class DemoFlight implements AutoCloseable {
 
-  /** What it is about. */
+  /** The state of the demo flight. */
   public enum Stage {
     IDLE,
     FLYING,
-    /** It was stopped or failed in the air, and brings the drone down. */
+    /** The flight was stopped or failed in the air, and the drone is being landed. */
     LANDING
   }
 
-  /** What it flies for. */
+  /** The purpose of the flight. */
   public enum Aim {
-    /** The scenario asks for nothing. */
+    /** A tour, because the scenario has no goals. */
     TOUR,
     /** The goals of the scenario. */
     GOALS,
-    /** The scenario has goals, but the drone cannot reach them on its own, or on no simple way. */
+    /** A tour, because the drone cannot reach the scenario's goals alone or on a simple route. */
     TOUR_WITHOUT_GOALS
   }
 
-  /** How long after the motors stopped the reply to {@code land} may come [ns]. Assumed. */
+  /**
+   * A step of the flight.
+   *
+   * @param number the number of the command, from 1; 0 while no flight is running
+   * @param count the number of commands in the flight
+   * @param command the command of this step; empty while no flight is running
+   */
+  record Step(Aim aim, int number, int count, String command) {
+
+    private static final Step NONE = new Step(Aim.TOUR, 0, 0, "");
+  }
+
+  /** Maximum time from the stop of the motors to the reply to {@code land} [ns]. Assumed. */
   private static final long LAST_REPLY_NANOS = 1_000_000_000;
 
   private final ViewContext context;
   private final ReadOnlyObjectWrapper<Stage> stage = new ReadOnlyObjectWrapper<>(Stage.IDLE);
   private final ReadOnlyBooleanWrapper running = new ReadOnlyBooleanWrapper();
-  private final ReadOnlyStringWrapper command = new ReadOnlyStringWrapper("");
-  private final ReadOnlyIntegerWrapper step = new ReadOnlyIntegerWrapper();
-  private final ReadOnlyIntegerWrapper steps = new ReadOnlyIntegerWrapper();
+  private final ReadOnlyObjectWrapper<Step> step = new ReadOnlyObjectWrapper<>(Step.NONE);
   private final ReadOnlyObjectWrapper<Message> problem = new ReadOnlyObjectWrapper<>(Message.NONE);
-  private final ReadOnlyObjectWrapper<Aim> aim = new ReadOnlyObjectWrapper<>(Aim.TOUR);
+  private Aim aim = Aim.TOUR;
   private List<String> tour = List.of();
   private Optional<Flown> flown = Optional.empty();
 
-  /** Counts starts and stops, so that a start that waits for power gives way to what is next. */
+  /**
+   * Number of starts and stops so far. A start that is waiting for the drone to be switched on is
+   * superseded by any later start or stop.
+   */
   private int starts;
 
-  /** The drone that is flown, and by whom. */
+  /** The drone that is being flown, with its operator. */
   private static final class Flown {
     private final FxDroneModel drone;
     private final OperatorClient pilot;
@@ -82,10 +91,10 @@ public final class DemoFlight implements AutoCloseable {
   public DemoFlight(ViewContext context) {
     this.context = context;
     running.bind(stage.isNotEqualTo(Stage.IDLE));
-    context.pulse().onBeat(this::beat);
+    context.ticker().onTick(this::tick);
   }
 
-  /** Switches the selected drone on, if it is off, and flies. */
+  /** Switches the selected drone on if necessary, and flies it. */
   void switchOnAndStart() {
     FxDroneModel drone = drone();
     if (drone.onProperty().get()) {
@@ -94,22 +103,21 @@ public final class DemoFlight implements AutoCloseable {
     }
     starts++;
     int mine = starts;
-    context
-        .actions()
-        .switchPower(
-            drone.number(),
-            true,
-            refusal ->
-                refusal.ifPresentOrElse(
-                    e -> problem.set(OperatorClient.portTaken(e)),
-                    () -> {
-                      if (mine == starts) {
-                        fly(drone);
-                      }
-                    }));
+    OperatorClient.switchOn(
+        context,
+        drone,
+        problem::set,
+        () -> {
+          if (mine == starts) {
+            fly(drone);
+          }
+        });
   }
 
-  /** Flies the selected drone, which must be on and stand on the floor. */
+  /**
+   * Flies the selected drone if it is on and stands on the floor; otherwise sets {@link
+   * #problemProperty}.
+   */
   void start() {
     FxDroneModel drone = drone();
     switch (drone.phaseProperty().get()) {
@@ -120,7 +128,7 @@ public final class DemoFlight implements AutoCloseable {
     }
   }
 
-  /** Breaks the flight off and lands. */
+  /** Aborts the flight and lands the drone. */
   void stop() {
     starts++;
     if (stage.get() == Stage.FLYING) {
@@ -128,14 +136,14 @@ public final class DemoFlight implements AutoCloseable {
     }
   }
 
-  /** Ends at once; a drone in the air is left there. */
+  /** Ends the flight at once, without landing the drone. */
   @Override
   public void close() {
     starts++;
     end();
   }
 
-  /** Something else is being done; what happened to the last tour is old news. */
+  /** Clears the problem of the last flight, because another action starts. */
   void forgetProblem() {
     problem.set(Message.NONE);
   }
@@ -144,32 +152,17 @@ public final class DemoFlight implements AutoCloseable {
     return stage.getReadOnlyProperty();
   }
 
-  /** Whether it flies or brings the drone down. */
+  /** Whether the demo is flying or landing the drone. */
   ReadOnlyBooleanProperty runningProperty() {
     return running.getReadOnlyProperty();
   }
 
-  /** What was commanded last; empty when it does not run. */
-  ReadOnlyStringProperty commandProperty() {
-    return command.getReadOnlyProperty();
-  }
-
-  /** Which of the commands that is, from 1; 0 when it does not run. */
-  ReadOnlyIntegerProperty stepProperty() {
+  /** The current step. */
+  ReadOnlyObjectProperty<Step> stepProperty() {
     return step.getReadOnlyProperty();
   }
 
-  /** How many commands the tour has. */
-  ReadOnlyIntegerProperty stepsProperty() {
-    return steps.getReadOnlyProperty();
-  }
-
-  /** What the flight is for, or the last one was. */
-  ReadOnlyObjectProperty<Aim> aimProperty() {
-    return aim.getReadOnlyProperty();
-  }
-
-  /** Why it did not come to its end; {@link Message#NONE} if there is nothing to say. */
+  /** The reason why the last flight was not completed; {@link Message#NONE} if there is none. */
   ReadOnlyObjectProperty<Message> problemProperty() {
     return problem.getReadOnlyProperty();
   }
@@ -188,7 +181,6 @@ public final class DemoFlight implements AutoCloseable {
       return;
     }
     plan(context.simulation().snapshot(), drone.number());
-    steps.set(tour.size());
     stage.set(Stage.FLYING);
     command(1);
   }
@@ -197,18 +189,24 @@ public final class DemoFlight implements AutoCloseable {
     Challenge challenge = context.scenario().challenge();
     Optional<List<String>> route = GoalRoute.commands(challenge, snapshot, drone);
     Aim otherwise = challenge.goals().isEmpty() ? Aim.TOUR : Aim.TOUR_WITHOUT_GOALS;
-    aim.set(route.isPresent() ? Aim.GOALS : otherwise);
+    aim = route.isPresent() ? Aim.GOALS : otherwise;
     tour = route.orElseGet(() -> new DemoTour(snapshot, drone).commands());
   }
 
   private void command(int number) {
-    OperatorClient pilot = flown.orElseThrow().pilot;
-    step.set(number);
-    command.set(tour.get(number - 1));
-    pilot.ask(command.get());
+    show(number, tour.get(number - 1));
+    flown.orElseThrow().pilot.ask(command());
   }
 
-  private void beat(long nanos) {
+  private void show(int number, String command) {
+    step.set(new Step(aim, number, tour.size(), command));
+  }
+
+  private String command() {
+    return step.get().command();
+  }
+
+  private void tick(long nanos) {
     if (stage.get() == Stage.FLYING) {
       advance(nanos);
     } else if (stage.get() == Stage.LANDING && flown.orElseThrow().descent.isDown(nanos)) {
@@ -218,7 +216,7 @@ public final class DemoFlight implements AutoCloseable {
 
   private void advance(long nanos) {
     Flown flight = flown.orElseThrow();
-    Optional<OperatorClient.Answer> answer = flight.pilot.answer(nanos);
+    Optional<Message> answer = flight.pilot.answer(nanos);
     if (answer.isPresent()) {
       take(answer.get());
       return;
@@ -229,37 +227,36 @@ public final class DemoFlight implements AutoCloseable {
       flight.downSince = Optional.empty();
     }
     if (flight.tookOff && !flies && isDown(flight, nanos)) {
-      if (!lands()) {
-        problem.set(Message.of("flies-no-more", command.get()));
+      if (!command().equals("land")) {
+        problem.set(Message.of("flies-no-more", command()));
       }
       end();
     }
   }
 
-  private void take(OperatorClient.Answer answer) {
-    if (!answer.ok()) {
-      problem.set(answer.problem());
+  private void take(Message failure) {
+    if (!failure.isNone()) {
+      problem.set(failure);
       comeDown();
-    } else if (step.get() == tour.size()) {
+    } else if (step.get().number() == tour.size()) {
       end();
     } else {
-      settle(command.get());
-      command(step.get() + 1);
+      settle(command());
+      command(step.get().number() + 1);
     }
   }
 
-  /** The sticks' values survive landings; what an earlier operator left would carry it away. */
+  /**
+   * Centres the sticks after {@code command}. Stick values persist across landings, so the values
+   * of an earlier operator would otherwise move the drone.
+   */
   private void settle(String done) {
     if (done.equals("command")) {
       flown.orElseThrow().pilot.tell("rc 0 0 0 0");
     }
   }
 
-  private boolean lands() {
-    return command.get().equals("land");
-  }
-
-  /** Whether its motors are off for so long that no reply is on its way. */
+  /** Returns whether the motors have been off for so long that no reply can be pending. */
   private static boolean isDown(Flown flight, long nanos) {
     if (flight.downSince.isEmpty()) {
       flight.downSince = Optional.of(nanos);
@@ -269,14 +266,13 @@ public final class DemoFlight implements AutoCloseable {
 
   private void comeDown() {
     stage.set(Stage.LANDING);
-    command.set("land");
+    show(step.get().number(), "land");
   }
 
   private void end() {
     flown.ifPresent(flight -> flight.pilot.close());
     flown = Optional.empty();
-    command.set("");
-    step.set(0);
+    step.set(Step.NONE);
     stage.set(Stage.IDLE);
   }
 }

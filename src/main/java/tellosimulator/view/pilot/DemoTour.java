@@ -11,51 +11,63 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.world.Room;
 
 /**
- * Which commands show a drone's abilities in a room without touching its walls: a half circle, a
- * flip, turns and moves where there is space, a few short moves where there is little, and only
- * turns where obstacles or other drones are in the way of these.
+ * Plans the commands of a demonstration that stays clear of the walls. In a large space, it
+ * consists of a half circle, a flip, turns and moves; in a small one, of a few short moves and
+ * turns. If obstacles or other drones are in the way, the drone only turns.
  *
- * <p>All of it happens within a circle around a point near the start, so it fits whichever way the
- * nose points.
+ * <p>All movements stay within a circle around a point near the start, so that the tour fits,
+ * whichever way the nose points.
  */
 final class DemoTour {
 
-  /** Air at the walls for errors that add up over a long tour [m]. Measured: 2.5 cm a move. */
+  /**
+   * Clearance from the walls in a long tour [m]. Position errors add up during the tour. Measured:
+   * an error of 2.5 cm per move.
+   */
   private static final double LONG_MARGIN = 0.35;
 
-  /** The same for a short tour [m]. */
+  /** Clearance from the walls in a short tour [m]. */
   private static final double SHORT_MARGIN = 0.2;
 
-  /** Radius of a long tour [m]. Decided: easily seen in the default room; a curve needs 0.5. */
+  /** Maximum radius of a long tour [m]. Decided: clearly visible in the default room. */
   private static final double LARGEST_RADIUS = 1.2;
 
+  /** Minimum radius of a long tour [m]. Decided: a curve needs at least 0.5 m. */
   private static final double SMALLEST_LONG_RADIUS = 0.55;
 
-  /** Length of the moves of a short tour [m]. Documented: a move has 20 cm at the least. */
+  /** Maximum length of the moves of a short tour [m]. */
   private static final double LARGEST_SHORT_RADIUS = 0.5;
 
+  /** Minimum length of the moves of a short tour [m]. Documented: a move is at least 20 cm long. */
   private static final double SMALLEST_SHORT_RADIUS = 0.2;
 
-  /** Heights of flight [m]. Decided: eye level, or what a low room leaves. */
+  /** Maximum flight height [m]. Decided: at eye level. In a low room, the drone flies lower. */
   private static final double HIGHEST_CRUISE = 1.2;
 
+  /** Minimum flight height, even in a low room [m]. */
   private static final double LOWEST_CRUISE = 0.45;
 
-  /** Air between flight and ceiling in a low room [m]. Assumed: a flip fits below. */
+  /**
+   * In a low room: the distance from the flight height up to the greatest possible height of the
+   * feet [m]. Assumed: enough for a flip.
+   */
   private static final double CEILING_AIR = 0.75;
 
-  /** What a flip needs above the drone's feet [m]. Measured in the simulation: 0.44. */
+  /**
+   * Space that a flip needs above the drone's feet [m]. Measured in the simulation: the drone
+   * climbs by 0.44 m.
+   */
   private static final double FLIP_AIR = 0.64;
 
-  /** How much higher the second half is [m], if the ceiling allows it. */
+  /** Additional flight height of the second half of the tour, if the ceiling allows it [m]. */
   private static final double RISE = 0.4;
 
-  /** Air above the second half [m]. */
+  /** Clearance above the drone in the second half of the tour [m]. */
   private static final double RISE_AIR = 0.6;
 
   /**
-   * Battery percentage for a flip. Measured: the drone asks for 50, and by then a filming one has
-   * used 6.
+   * Minimum battery percentage for a flip. Measured: the drone requires 50 %; if it streams video,
+   * it has used 6 % by the time of the flip.
    */
   private static final int ENOUGH_FOR_FLIP = 58;
 
@@ -66,7 +78,9 @@ final class DemoTour {
   private final int batteryPercent;
 
   /**
-   * @param number of a drone that stands, from 1
+   * Plans a tour.
+   *
+   * @param number the number of a standing drone, from 1
    */
   DemoTour(SimSnapshot snapshot, int number) {
     DroneSnapshot drone = snapshot.drones().get(number - 1);
@@ -77,7 +91,7 @@ final class DemoTour {
     this.batteryPercent = drone.state().energy().battery().percent();
   }
 
-  /** From {@code command} to {@code land}. */
+  /** Returns the commands, from {@code command} to {@code land}. */
   List<String> commands() {
     double radius = Math.min(LARGEST_RADIUS, freeRadius(LONG_MARGIN));
     FlightPlan route = begun();
@@ -125,12 +139,18 @@ final class DemoTour {
     route.goTo(nearestMiddle(SHORT_MARGIN).withZ(cruise()));
   }
 
-  /** Radius around the room's middle that leaves {@code margin} at the walls [m]. */
+  /**
+   * Returns the radius of the largest circle around the middle of the room along which a drone
+   * stays {@code margin} away from the walls [m].
+   */
   private double freeRadius(double margin) {
     return Math.min(room.width(), room.depth()) / 2 - DroneSpec.COLLIDER.radius() - margin;
   }
 
-  /** The place nearest to the start that has this much air around it [m]. */
+  /**
+   * Returns the place nearest to the start at which the drone is at least {@code air} away from all
+   * walls, or as far away as a narrow room allows [m]. Its height is 0.
+   */
   private Vec3 nearestMiddle(double air) {
     return new Vec3(
         within(pose.position().x(), room.depth() / 2 - DroneSpec.COLLIDER.radius() - air),
@@ -150,7 +170,7 @@ final class DemoTour {
     return batteryPercent >= ENOUGH_FOR_FLIP && cruise + FLIP_AIR <= top();
   }
 
-  /** How high the feet can be [m]. */
+  /** Returns the greatest possible height of the feet [m]. */
   private double top() {
     return room.height() - DroneSpec.COLLIDER.height();
   }

@@ -6,16 +6,20 @@ import tellosimulator.profile.Sdk;
 import tellosimulator.view.model.FxDroneModel;
 
 /**
- * Brings a drone down, whatever it is doing: {@code stop} ends what runs, and {@code land} is
- * repeated until the drone takes it. For the JavaFX thread.
+ * Lands a drone, whatever it is doing: {@code stop} ends the current command, and {@code land} is
+ * repeated until the drone accepts it. Confined to the JavaFX thread.
  */
 final class Descent {
 
-  /** From one attempt to the next [ns]. Assumed: a refusal has come by then. */
+  /**
+   * Time between two attempts [ns]. Assumed: a drone that accepts {@code land} begins to land
+   * within this time.
+   */
   private static final long RETRY_NANOS = 300_000_000;
 
   /**
-   * How long the motors must be off [ns]. Assumed: a takeoff that was just commanded shows by then.
+   * Time for which the motors must have been off [ns]. Assumed: a takeoff that has just been
+   * commanded starts within this time.
    */
   private static final long DOWN_NANOS = 200_000_000;
 
@@ -30,9 +34,10 @@ final class Descent {
   }
 
   /**
-   * Does what is to be done at a beat; whether the motors no longer carry the drone.
+   * Sends the commands that are due at a UI tick. Returns whether the motors have been off for so
+   * long that the drone counts as landed.
    *
-   * @param nanos the beat's time [ns]
+   * @param nanos the time of the tick [ns]
    */
   boolean isDown(long nanos) {
     FlightPhase phase = drone.phaseProperty().get();

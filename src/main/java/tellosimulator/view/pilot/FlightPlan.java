@@ -3,31 +3,36 @@ package tellosimulator.view.pilot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 
 /**
- * A sequence of commands, the path along which it leads, and the pose to which it brings the drone.
+ * A sequence of commands, the path along which the commands move the drone, and the drone's final
+ * pose.
  */
 final class FlightPlan {
 
-  /** A way shorter than this in each direction is no {@code go} [cm]. Documented: SDK 2.0. */
+  /** Minimum distance of a {@code go} in at least one direction [cm]. Documented: SDK 2.0. */
   private static final int SHORTEST_CM = 20;
 
-  /** The longest way in each direction [cm]. Documented: SDK 2.0. */
+  /** Maximum distance of a {@code go} in each direction [cm]. Documented: SDK 2.0. */
   private static final int LONGEST_CM = 500;
 
   /** Speed of a {@code go} and a {@code curve} [cm/s]. Decided: lively, but easy to watch. */
   private static final int SPEED_CM = 60;
 
-  /** How far a {@code flip} ends in its direction [cm]. Measured: about 30. */
+  /**
+   * Distance by which a {@code flip} moves the drone in the direction of the flip [cm]. Measured:
+   * about 30 cm.
+   */
   static final int FLIP_CM = 30;
 
-  /** How high a {@code flip} goes meanwhile [m]. Measured in the simulation. */
+  /** Climb during a {@code flip} [m]. Measured in the simulation. */
   private static final double FLIP_RISE = 0.44;
 
-  /** Straight parts that stand for half a circle where its path is looked at. */
+  /** Number of straight segments that approximate a half circle in the path. */
   private static final int ARC_PARTS = 12;
 
   private final List<String> commands = new ArrayList<>();
@@ -40,12 +45,15 @@ final class FlightPlan {
     this.heading = heading;
   }
 
-  /** Nothing yet, for a drone that stands. */
+  /** Returns an empty plan for a standing drone. */
   static FlightPlan from(Pose pose) {
     return new FlightPlan(pose.position(), pose.attitude().heading());
   }
 
-  /** The same commands, to go on in another way. Its path begins where they end. */
+  /**
+   * Returns a copy of the plan, for trying a continuation. The path of the copy begins at the
+   * current position, so that only the continuation is checked for obstacles.
+   */
   FlightPlan copy() {
     FlightPlan copy = new FlightPlan(position, heading);
     copy.commands.addAll(commands);
@@ -53,17 +61,22 @@ final class FlightPlan {
     return copy;
   }
 
-  /** Where the drone flies one after the other, with straight lines between [m, room frame]. */
+  /** Returns the corners of the path in the room frame [m]. Straight lines connect them. */
   List<Vec3> path() {
     return List.copyOf(path);
   }
 
-  /** Where the drone is in the end [m, room frame]. */
+  /** Returns the final position of the drone in the room frame [m]. */
   Vec3 position() {
     return position;
   }
 
-  /** Whether the drone does not fly in the end. */
+  /** Returns the final pose of the drone, which hovers. */
+  Pose pose() {
+    return new Pose(position, Attitude.ofHeading(heading));
+  }
+
+  /** Returns whether the drone is on the ground at the end. */
   boolean landed() {
     return !commands.contains("takeoff") || commands.get(commands.size() - 1).equals("land");
   }
@@ -72,26 +85,29 @@ final class FlightPlan {
     return List.copyOf(commands);
   }
 
-  /** A command that moves nothing. */
+  /** Adds a command that does not move the drone. */
   FlightPlan say(String command) {
     commands.add(command);
     return this;
   }
 
-  /** Up to a height above what it stands on [m]. */
+  /** Takes off to a height above the ground [m]. */
   FlightPlan takeoff(double height) {
     position = position.withZ(position.z() + height);
     path.add(position);
     return say("takeoff");
   }
 
-  /** Down to what is below it, where the next takeoff begins. */
+  /** Lands at a place below the drone. The next takeoff begins there. */
   FlightPlan landOn(Vec3 place) {
     position = place;
     return say("land");
   }
 
-  /** Straight to a place [m, room frame], or not at all if it is nearer than the drone can go. */
+  /**
+   * Flies straight to a place in the room frame [m]. Adds no command if the place is too near for a
+   * {@code go}.
+   */
   FlightPlan goTo(Vec3 place) {
     Vec3 way = place.minus(position).turned(-heading);
     int x = cm(way.x());
@@ -118,13 +134,21 @@ final class FlightPlan {
     return move("right", new Vec3(0, -1, 0), distanceCm);
   }
 
-  /** A turn, clockwise seen from above. */
+  /** Turns clockwise seen from above. */
   FlightPlan clockwise(int degrees) {
     heading = Frames.wrapped(heading + Frames.headingOfYaw(degrees));
     return say(degrees < 0 ? text("ccw %d", -degrees) : text("cw %d", degrees));
   }
 
-  /** Half a circle that leaves straight ahead and ends at the left. */
+  /** Turns the nose to a place in the room frame [m]. */
+  FlightPlan turnTo(Vec3 place) {
+    Vec3 way = place.minus(position);
+    double left = Frames.wrapped(StrictMath.atan2(way.y(), way.x()) - heading);
+    int degrees = (int) Math.round(Frames.yawOfHeading(left));
+    return degrees == 0 ? this : clockwise(degrees);
+  }
+
+  /** Flies half a circle that starts straight ahead and ends to the left of its start. */
   FlightPlan halfCircleToTheLeft(int radiusCm) {
     Vec3 start = position;
     for (int i = 1; i <= ARC_PARTS; i++) {

@@ -12,15 +12,18 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.HBox;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Messages;
 
-/** The keys that fly, as they lie on a keyboard; those that are held down are lit. */
+/**
+ * Displays the keys that fly the drone, arranged as on a keyboard. Pressed keys are highlighted.
+ */
 final class KeyLegend extends HBox {
 
   private static final PseudoClass PRESSED = PseudoClass.getPseudoClass("lit");
 
-  /** Where a key lies. */
+  /** The position of a key in its grid. */
   private record Place(SteeringKey key, int column, int row) {}
 
   private static final List<Place> PLACES =
@@ -45,35 +48,23 @@ final class KeyLegend extends HBox {
   private final ObservableSet<SteeringKey> pressed;
   private final Map<SteeringKey, Label> caps = new TreeMap<>();
   private final List<Label> words = new ArrayList<>();
-  private final GridPane sticks = new GridPane();
-  private final GridPane actions = new GridPane();
+  private final GridPane sticks = Nodes.styled(new GridPane(), "sticks");
+  private final GridPane actions = Nodes.styled(new GridPane(), "actions");
 
   KeyLegend(Messages messages, ObservableSet<SteeringKey> pressed) {
     this.messages = messages;
     this.pressed = pressed;
-    initializeSelf();
-    initializeParts();
+    Nodes.named(this, "key-hint", "key-hint");
+    for (SteeringKey key : SteeringKey.values()) {
+      Label cap = Nodes.named(new Label(key.symbol()), "cap-" + key.textKey(), "key-cap");
+      Tooltips.install(cap, messages.text(key.textKey()));
+      caps.put(key, cap);
+    }
     layoutParts();
     setupEventHandlers();
   }
 
-  private void initializeSelf() {
-    setId("key-hint");
-    getStyleClass().add("key-hint");
-  }
-
-  private void initializeParts() {
-    for (SteeringKey key : SteeringKey.values()) {
-      Label cap = new Label(key.symbol());
-      cap.setId("cap-" + key.textKey());
-      cap.getStyleClass().add("key-cap");
-      Tooltips.install(cap, messages.text(key.textKey()));
-      caps.put(key, cap);
-    }
-  }
-
   private void layoutParts() {
-    sticks.getStyleClass().add("sticks");
     for (Place place : PLACES) {
       sticks.add(caps.get(place.key()), place.column(), place.row());
     }
@@ -87,19 +78,19 @@ final class KeyLegend extends HBox {
       Label what = messages.label("short-" + place.key().textKey(), "key-text");
       what.setMinWidth(USE_PREF_SIZE);
       words.add(what);
-      HBox pair = new HBox(caps.get(place.key()), what);
-      pair.getStyleClass().add("key-pair");
+      HBox pair = Nodes.styled(new HBox(caps.get(place.key()), what), "key-pair");
       actions.add(pair, place.column(), place.row());
     }
-    actions.getStyleClass().add("actions");
     getChildren().addAll(sticks, actions);
   }
 
-  /** Whether it says what the keys beside the sticks do; else their hints do. */
+  /**
+   * Shows or hides the captions of the keys that do not move the sticks. Tooltips explain all keys,
+   * even while captions are hidden.
+   */
   void showWords(boolean shown) {
     for (Label word : words) {
-      word.setVisible(shown);
-      word.setManaged(shown);
+      Nodes.setShown(word, shown);
     }
   }
 

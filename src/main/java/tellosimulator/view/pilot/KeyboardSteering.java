@@ -20,25 +20,32 @@ import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.SteeringKey.Push;
 
 /**
- * Flies the selected drone by keyboard, through commands. For the JavaFX thread; it moves on with
- * the pulse.
+ * Lets the user fly the selected drone with the keyboard, by sending commands. Confined to the
+ * JavaFX thread; advances with the UI ticks.
  *
- * <p>While it is active and the drone flies, it repeats its {@code rc}, so that the drone does not
- * land for want of commands; when it is switched off, the sticks are centred, and the drone lands
- * by itself 15 s later. At very high time factors (above about 200) the repetition comes too late.
+ * <p>While keyboard flight is on, the last {@code rc} is repeated in the air, so that the drone
+ * does not land for lack of commands. Switching keyboard flight off centres the sticks, and the
+ * drone lands by itself 15 s later. At very high time factors (above about 200), the repetition
+ * comes too late.
  */
 public final class KeyboardSteering {
 
-  /** How far a key pushes a stick. Decided: fast enough to see; up to 20 a drone may not react. */
+  /**
+   * Stick deflection of a key, from 0 to 100 as in {@code rc}. Decided: visibly fast. A drone may
+   * ignore values up to 20.
+   */
   private static final int NORMAL = 60;
 
-  /** The same with Shift. */
+  /** Stick deflection of a key with Shift: the maximum of {@code rc}. */
   private static final int FAST = 100;
 
-  /** Shortest time between two {@code rc} [ns]. Decided: as operator programs with joysticks. */
+  /** Minimum interval between two {@code rc} commands [ns]. Decided: as in joystick programs. */
   private static final long SHORTEST_NANOS = 50_000_000;
 
-  /** After which {@code rc} is repeated [s, simulated]. Documented: safety landing after 15 s. */
+  /**
+   * Interval after which {@code rc} is repeated [simulated s]. Documented: the drone lands after 15
+   * s without commands.
+   */
   private static final double REPETITION = 2;
 
   private static final String CENTERED = rc(Push.NONE, 0);
@@ -58,33 +65,33 @@ public final class KeyboardSteering {
   public KeyboardSteering(ViewContext context, RemoteControl remote) {
     this.context = context;
     this.remote = remote;
-    active.addListener(changed -> release());
-    context.pulse().onBeat(this::beat);
+    active.addListener(changed -> pressed.clear());
+    context.ticker().onTick(this::tick);
     context.simulation().selectedProperty().addListener((observed, before, now) -> letGo(before));
   }
 
-  /** Listens to the keys of a scene until the subscription ends; to be called once. */
+  /** Handles the keys of a scene until the subscription ends. Must be called only once. */
   Subscription install(Scene newScene) {
     scene = Optional.of(newScene);
     EventHandler<KeyEvent> taking = this::take;
     newScene.addEventFilter(KeyEvent.ANY, taking);
     Subscription listening = () -> newScene.removeEventFilter(KeyEvent.ANY, taking);
     return listening
-        .and(newScene.focusOwnerProperty().subscribe(owner -> releaseIfElsewhere()))
+        .and(newScene.focusOwnerProperty().subscribe(owner -> releaseIf(elsewhere())))
         .and(
             newScene
                 .windowProperty()
                 .flatMap(Window::focusedProperty)
                 .orElse(true)
-                .subscribe(this::releaseUnless));
+                .subscribe(focused -> releaseIf(!focused)));
   }
 
-  /** Whether keys fly the drone. */
+  /** Whether keyboard flight is on. */
   public BooleanProperty activeProperty() {
     return active;
   }
 
-  /** The keys that are held down. */
+  /** The pressed keys. */
   ObservableSet<SteeringKey> pressed() {
     return readOnlyPressed;
   }
@@ -118,36 +125,26 @@ public final class KeyboardSteering {
   }
 
   /**
-   * Whether keys are for something else: a text field, or a control that was reached by keyboard,
-   * which one sees. What was only clicked leaves them to the drone.
+   * Returns whether keys belong to another control: a text field, or a control that was reached by
+   * keyboard and shows its focus. A control that was only clicked does not take keys from the
+   * drone.
    */
   private boolean elsewhere() {
-    Optional<Node> owner = scene.map(Scene::getFocusOwner);
-    return owner.filter(KeyboardSteering::takesKeys).isPresent();
-  }
-
-  private static boolean takesKeys(Node owner) {
+    Node owner = scene.map(Scene::getFocusOwner).orElse(null);
     return owner instanceof TextInputControl
         || (owner instanceof Control && owner.isFocusVisible());
   }
 
-  private void releaseIfElsewhere() {
-    if (elsewhere()) {
-      release();
+  private void releaseIf(boolean lost) {
+    if (lost) {
+      pressed.clear();
     }
   }
 
-  private void releaseUnless(boolean focused) {
-    if (!focused) {
-      release();
-    }
-  }
-
-  private void release() {
-    pressed.clear();
-  }
-
-  /** The keys fly a drone only while it is selected; it must not fly on with pushed sticks. */
+  /**
+   * Deactivates keyboard flight when another drone is selected. Centres the sticks of the previous
+   * drone, so that it stops.
+   */
   private void letGo(FxDroneModel before) {
     active.set(false);
     if (!sent.equals(CENTERED) && before.onProperty().get()) {
@@ -156,7 +153,7 @@ public final class KeyboardSteering {
     sent = CENTERED;
   }
 
-  private void beat(long nanos) {
+  private void tick(long nanos) {
     boolean waits = nanos - sentNanos < SHORTEST_NANOS;
     if (waits || !context.simulation().selected().onProperty().get()) {
       return;

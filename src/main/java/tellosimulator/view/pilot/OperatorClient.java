@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
@@ -11,35 +12,23 @@ import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Message;
 
 /**
- * An operator who sends one drone one command at a time through the drone's real port, and looks at
- * each beat whether the reply has come. For the JavaFX thread; it never waits.
+ * An operator that sends one command at a time to a drone's UDP command port, and polls for the
+ * reply at each UI tick. Confined to the JavaFX thread; never blocks.
  */
 final class OperatorClient implements AutoCloseable {
-
-  /**
-   * How a command ended.
-   *
-   * @param problem why it did not succeed; {@link Message#NONE} if the drone said {@code ok}
-   */
-  public record Answer(Message problem) {
-
-    static final Answer OK = new Answer(Message.NONE);
-
-    public boolean ok() {
-      return problem.isNone();
-    }
-  }
 
   private final FxSimulation simulation;
   private final FxDroneModel drone;
   private final OperatorSocket socket;
   private String command = "";
   private Optional<ReplyTimeout> timeout = Optional.empty();
-  private Optional<Answer> early = Optional.empty();
+  private Optional<Message> early = Optional.empty();
 
   /**
-   * @param drone which is on
-   * @throws IOException if the system has no socket left
+   * Opens a socket.
+   *
+   * @param drone a drone that is switched on
+   * @throws IOException if the system cannot provide a socket
    */
   public OperatorClient(ViewContext context, FxDroneModel drone) throws IOException {
     this.simulation = context.simulation();
@@ -48,19 +37,15 @@ final class OperatorClient implements AutoCloseable {
     this.socket = OperatorSocket.open(address);
   }
 
-  /** Sends a command; {@link #answer} says how it ends. */
+  /** Sends a command; {@link #answer} returns its result. */
   void ask(String newCommand) {
     command = newCommand;
     timeout = Optional.empty();
     early = Optional.empty();
-    try {
-      socket.send(newCommand);
-    } catch (IOException e) {
-      early = Optional.of(unreachable());
-    }
+    tell(newCommand);
   }
 
-  /** Sends a command whose reply interests nobody, or that has none. */
+  /** Sends a command that has no reply, or whose reply is ignored. */
   void tell(String unanswered) {
     try {
       socket.send(unanswered);
@@ -70,13 +55,14 @@ final class OperatorClient implements AutoCloseable {
   }
 
   /**
-   * How the command that was asked last ended; empty while it runs.
+   * Returns the result of the last command: {@link Message#NONE} if the drone replied {@code ok},
+   * otherwise the reason why the command failed; empty while the command is running.
    *
-   * @param nanos the beat's time [ns]
+   * @param nanos the time of the UI tick [ns]
    */
-  Optional<Answer> answer(long nanos) {
+  Optional<Message> answer(long nanos) {
     if (!drone.onProperty().get()) {
-      return Optional.of(new Answer(Message.of("switched-off", number())));
+      return Optional.of(Message.of("switched-off", number()));
     }
     if (early.isPresent()) {
       return early;
@@ -87,9 +73,9 @@ final class OperatorClient implements AutoCloseable {
         return reply.map(this::judged);
       }
     } catch (IOException e) {
-      early = Optional.of(unreachable()); // unless the next beat shows that it was switched off
+      early = Optional.of(unreachable()); // the next tick may show that the drone is off
     }
-    return isLost(nanos) ? Optional.of(new Answer(silence())) : Optional.empty();
+    return isLost(nanos) ? Optional.of(Message.of("silence", command)) : Optional.empty();
   }
 
   @Override
@@ -107,16 +93,32 @@ final class OperatorClient implements AutoCloseable {
     return timeout.get().isOver(clocks);
   }
 
-  private Answer judged(String reply) {
-    return reply.strip().equals("ok") ? Answer.OK : new Answer(refused(command, reply));
+  private Message judged(String reply) {
+    return reply.strip().equals("ok") ? Message.NONE : refused(command, reply);
   }
 
-  /** The drone refused a command. */
+  /** Returns the message for a command that the drone refused. */
   static Message refused(String command, String reply) {
     return Message.of("refused", command, reply.strip());
   }
 
-  /** A drone cannot be switched on. */
+  /**
+   * Switches a drone on.
+   *
+   * @param problem receives the reason if the drone cannot be switched on
+   * @param then called once the drone is on
+   */
+  static void switchOn(
+      ViewContext context, FxDroneModel drone, Consumer<Message> problem, Runnable then) {
+    context
+        .actions()
+        .switchPower(
+            drone.number(),
+            true,
+            refusal -> refusal.ifPresentOrElse(e -> problem.accept(portTaken(e)), then));
+  }
+
+  /** Returns the message for a drone that cannot be switched on. */
   static Message portTaken(PortTakenException e) {
     String obstacle = e.obstacle().name().toLowerCase(Locale.ROOT).replace('_', '-');
     return Message.of(
@@ -125,19 +127,55 @@ final class OperatorClient implements AutoCloseable {
         e.address().getAddress().getHostAddress());
   }
 
-  private Answer unreachable() {
-    return new Answer(Message.of("unreachable", number(), port()));
-  }
-
-  private Message silence() {
-    return Message.of("silence", command);
+  private Message unreachable() {
+    return Message.of("unreachable", number(), Integer.toString(socket.drone().getPort()));
   }
 
   private String number() {
     return Integer.toString(drone.number());
   }
 
-  private String port() {
-    return Integer.toString(socket.drone().getPort());
+  /**
+   * Decides when a reply is overdue: after {@link #SIMULATED} seconds of simulated time, or if
+   * simulated time has stood still for {@link #IDLE_NANOS} of wall-clock time without a pause.
+   */
+  static final class ReplyTimeout {
+
+    /** Maximum wait in simulated time [s]. Assumed: longer than any command of a tour takes. */
+    static final double SIMULATED = 60;
+
+    /**
+     * Maximum wall-clock time to wait while simulated time does not advance although the simulation
+     * is not paused [ns]. Simulated time that runs as fast as possible advances only while a drone
+     * has something to do. Assumed.
+     */
+    static final long IDLE_NANOS = 3_000_000_000L;
+
+    /**
+     * The readings of both clocks.
+     *
+     * @param nanos the wall-clock time [ns]
+     * @param seconds the simulated time [s]
+     */
+    record Clocks(long nanos, double seconds, boolean paused) {}
+
+    private final double began;
+    private double seconds;
+    private long movedNanos;
+
+    ReplyTimeout(Clocks clocks) {
+      began = clocks.seconds();
+      seconds = clocks.seconds();
+      movedNanos = clocks.nanos();
+    }
+
+    /** Updates the clocks, and returns whether the reply is overdue. */
+    boolean isOver(Clocks clocks) {
+      if (clocks.paused() || clocks.seconds() != seconds) {
+        seconds = clocks.seconds();
+        movedNanos = clocks.nanos();
+      }
+      return seconds - began >= SIMULATED || clocks.nanos() - movedNanos >= IDLE_NANOS;
+    }
   }
 }

@@ -11,14 +11,14 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The UDP socket of an operator program on this machine, connected with a drone's command port; its
- * own port is chosen by the system. Never blocks; for one thread.
+ * The UDP socket of an operator program on this machine, connected to a drone's command port. The
+ * system chooses the socket's own port. Never blocks. Not thread-safe.
  */
 final class OperatorSocket implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(OperatorSocket.class);
 
-  /** Longer than the longest reply [bytes]. */
+  /** Size of the receive buffer [bytes]. It is larger than the longest reply. */
   private static final int BUFFER = 2048;
 
   private final DatagramChannel channel;
@@ -33,7 +33,7 @@ final class OperatorSocket implements AutoCloseable {
   /**
    * Opens a socket.
    *
-   * @throws IOException if the system has none left
+   * @throws IOException if the system cannot provide one
    */
   static OperatorSocket open(InetSocketAddress drone) throws IOException {
     DatagramChannel channel = DatagramChannel.open(StandardProtocolFamily.INET);
@@ -47,7 +47,7 @@ final class OperatorSocket implements AutoCloseable {
     }
   }
 
-  /** The drone that it reaches. */
+  /** Returns the address of the drone's command port. */
   InetSocketAddress drone() {
     return drone;
   }
@@ -55,16 +55,16 @@ final class OperatorSocket implements AutoCloseable {
   /**
    * Sends a command.
    *
-   * @throws IOException if it cannot go out, or if the last one met a closed port
+   * @throws IOException if it cannot be sent, or if the previous command reached a closed port
    */
   void send(String command) throws IOException {
     channel.write(ByteBuffer.wrap(command.getBytes(StandardCharsets.ISO_8859_1)));
   }
 
   /**
-   * The next reply, if one has come.
+   * Returns the next reply, if one has arrived.
    *
-   * @throws IOException if a command met a closed port
+   * @throws IOException if a command reached a closed port
    */
   Optional<String> receive() throws IOException {
     buffer.clear();

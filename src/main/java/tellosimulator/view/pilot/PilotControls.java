@@ -9,7 +9,6 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.value.ObservableValue;
 import javafx.css.PseudoClass;
-import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
@@ -19,7 +18,6 @@ import javafx.scene.control.ProgressBar;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
@@ -27,6 +25,7 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.view.controls.PowerSwitch;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.ViewContext;
@@ -35,9 +34,9 @@ import tellosimulator.view.text.Message;
 import tellosimulator.view.text.Messages;
 
 /**
- * The buttons that fly the selected drone without an operator program. What comes and goes is above
- * them, and the width is fixed: at the lower edge of the scene no button ever moves away under the
- * mouse. For the JavaFX thread; to be closed with the window.
+ * The buttons that fly the selected drone without an operator program. Temporary messages appear
+ * above the buttons, and the width is fixed, so that no button moves away from under the mouse.
+ * Confined to the JavaFX thread; must be closed with the window.
  */
 public final class PilotControls extends VBox implements AutoCloseable {
 
@@ -53,14 +52,15 @@ public final class PilotControls extends VBox implements AutoCloseable {
   private final KeyboardSteering keyboard;
 
   private final PowerSwitch power;
-  private final Button demoFlight = new Button();
-  private final ToggleButton keyboardFlight = new ToggleButton();
-  private final Button takeOff = new Button();
-  private final Button land = new Button();
-  private final Button emergency = new Button();
-  private final Label command = new Label();
-  private final ProgressBar progress = new ProgressBar();
-  private final Label problem = new Label();
+  private final Button demoFlight = Nodes.named(new Button(), "demo-flight");
+  private final ToggleButton keyboardFlight = Nodes.named(new ToggleButton(), "keyboard-flight");
+  private final Button takeOff;
+  private final Button land;
+  private final Button emergency;
+  private final Label command = Nodes.named(new Label(), "pilot-command");
+  private final ProgressBar progress =
+      Nodes.named(new ProgressBar(), "pilot-progress", Styles.SMALL);
+  private final Label problem = Nodes.named(new Label(), "pilot-problem", "problem");
   private final KeyLegend keyHint;
 
   public PilotControls(ViewContext context) {
@@ -71,16 +71,21 @@ public final class PilotControls extends VBox implements AutoCloseable {
     keyboard = new KeyboardSteering(context, remote);
     power = new PowerSwitch(context, "pilot-power");
     keyHint = new KeyLegend(messages, keyboard.pressed());
-    initializeSelf();
-    initializeParts();
+    takeOff = button("pilot-takeoff", Feather.CHEVRONS_UP, "take-off", remote::takeOff);
+    land = button("pilot-land", Feather.CHEVRONS_DOWN, "land", () -> remote.ask("land"));
+    emergency =
+        button(
+            "pilot-emergency", Feather.ALERT_OCTAGON, "emergency", () -> remote.tell("emergency"));
+    Nodes.styled(emergency, Styles.DANGER, Styles.BUTTON_OUTLINED);
+    Nodes.named(this, "pilot-controls", "pilot-controls");
+    getStylesheets().add(PilotControls.class.getResource("pilot.css").toExternalForm());
     layoutParts();
-    setupEventHandlers();
     setupBindings();
   }
 
   /**
-   * Lets the keys of a scene fly, when that is switched on, until the subscription ends; to be
-   * called once.
+   * Handles the keys of a scene while keyboard flight is on, until the subscription ends. Must be
+   * called only once.
    */
   public Subscription install(Scene scene) {
     return keyboard.install(scene);
@@ -94,17 +99,17 @@ public final class PilotControls extends VBox implements AutoCloseable {
     return keyboard;
   }
 
-  /** Whether there is no room for words on the buttons. */
+  /** Whether the buttons show icons only, for lack of space. */
   public BooleanProperty narrowProperty() {
     return narrow;
   }
 
-  /** Whether the power switch is among the buttons; another part of the window can have it. */
+  /** Whether the power switch is shown here rather than elsewhere in the window. */
   public BooleanProperty powerShownProperty() {
     return powerShown;
   }
 
-  /** Closes all sockets; a drone in the air is left there. */
+  /** Closes all sockets, without landing the drone. */
   @Override
   public void close() {
     keyboard.activeProperty().set(false);
@@ -112,54 +117,31 @@ public final class PilotControls extends VBox implements AutoCloseable {
     remote.close();
   }
 
-  private void initializeSelf() {
-    setId("pilot-controls");
-    getStyleClass().add("pilot-controls");
-    getStylesheets().add(PilotControls.class.getResource("pilot.css").toExternalForm());
-  }
-
-  private void initializeParts() {
-    demoFlight.setId("demo-flight");
-    keyboardFlight.setId("keyboard-flight");
-    keyboardFlight.setGraphic(new FontIcon(Feather.MOVE));
-    takeOff.setId("pilot-takeoff");
-    takeOff.setGraphic(new FontIcon(Feather.CHEVRONS_UP));
-    land.setId("pilot-land");
-    land.setGraphic(new FontIcon(Feather.CHEVRONS_DOWN));
-    emergency.setId("pilot-emergency");
-    emergency.setGraphic(new FontIcon(Feather.ALERT_OCTAGON));
-    emergency.getStyleClass().addAll(Styles.DANGER, Styles.BUTTON_OUTLINED);
-    command.setId("pilot-command");
-    progress.setId("pilot-progress");
-    progress.getStyleClass().add(Styles.SMALL);
-    problem.setId("pilot-problem");
-    problem.setWrapText(true);
-    problem.getStyleClass().add("problem");
+  private Button button(String id, Feather icon, String key, Runnable action) {
+    Button button = Nodes.named(new Button("", new FontIcon(icon)), id);
+    button.textProperty().bind(messages.text(key));
+    button.setOnAction(pressed -> afresh(action));
+    return button;
   }
 
   private void layoutParts() {
-    Region gap = new Region();
-    gap.getStyleClass().add("gap");
-    HBox buttons = new HBox(power, demoFlight, keyboardFlight, gap, takeOff, land, emergency);
-    buttons.getStyleClass().add("buttons");
+    Region gap = Nodes.styled(new Region(), "gap");
+    HBox buttons =
+        Nodes.styled(
+            new HBox(power, demoFlight, keyboardFlight, gap, takeOff, land, emergency), "buttons");
     shortened(ContentDisplay.LEFT, power, demoFlight, keyboardFlight);
     shortened(ContentDisplay.TEXT_ONLY, takeOff, land, emergency);
-    for (ButtonBase button : List.of(power, demoFlight, keyboardFlight, takeOff, land, emergency)) {
-      button.setMaxWidth(Double.MAX_VALUE);
-      HBox.setHgrow(button, Priority.ALWAYS);
-    }
-    VBox tour = new VBox(command, progress);
-    tour.getStyleClass().add("tour");
+    List.of(power, demoFlight, keyboardFlight, takeOff, land, emergency).forEach(Nodes::growing);
+    VBox tour = Nodes.styled(new VBox(command, progress), "tour");
     progress.setMaxWidth(Double.MAX_VALUE);
-    tour.visibleProperty().bind(demo.runningProperty());
-    shownOnlyWhenVisible(tour);
-    shownOnlyWhenVisible(problem);
-    shownOnlyWhenVisible(keyHint);
-    shownOnlyWhenVisible(power);
+    problem.setWrapText(true);
+    Nodes.showIf(tour, demo.runningProperty());
+    Nodes.showIf(keyHint, keyboard.activeProperty());
+    Nodes.showIf(power, powerShown);
     getChildren().addAll(keyHint, problem, tour, buttons);
   }
 
-  /** Lets buttons be icons with their words as hints where it is narrow. */
+  /** Reduces buttons to icons with tooltips while the row of buttons is narrow. */
   private void shortened(ContentDisplay wide, ButtonBase... buttons) {
     for (ButtonBase button : buttons) {
       button
@@ -171,19 +153,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
     }
   }
 
-  private static void shownOnlyWhenVisible(Node node) {
-    node.managedProperty().bind(node.visibleProperty());
-  }
-
-  private void setupEventHandlers() {
-    demoFlight.setOnAction(pressed -> startOrStop());
-    takeOff.setOnAction(pressed -> afresh(remote::takeOff));
-    land.setOnAction(pressed -> afresh(() -> remote.ask("land")));
-    emergency.setOnAction(pressed -> afresh(() -> remote.tell("emergency")));
-    keyboard.activeProperty().subscribe(active -> afresh(() -> {}));
-  }
-
-  /** Begins something else: what went wrong before is old news. */
+  /** Clears the displayed problem, then runs an action. */
   private void afresh(Runnable action) {
     demo.forgetProblem();
     remote.forgetProblem();
@@ -203,11 +173,11 @@ public final class PilotControls extends VBox implements AutoCloseable {
   private void setupBindings() {
     bindDemo();
     bindCommands();
+    keyboardFlight.setGraphic(new FontIcon(Feather.MOVE));
     keyboardFlight.textProperty().bind(messages.text("keyboard-flight"));
     keyboardFlight.selectedProperty().bindBidirectional(keyboard.activeProperty());
     keyboardFlight.disableProperty().bind(demo.runningProperty());
-    keyHint.visibleProperty().bind(keyboard.activeProperty());
-    power.visibleProperty().bind(powerShown);
+    keyboard.activeProperty().subscribe(active -> afresh(() -> {}));
     powerShown.subscribe(shown -> pseudoClassStateChanged(WITH_POWER, shown));
     narrow.subscribe(
         now -> {
@@ -222,10 +192,11 @@ public final class PilotControls extends VBox implements AutoCloseable {
             power.problemProperty(),
             context.language().localeProperty());
     problem.textProperty().bind(sentence);
-    problem.visibleProperty().bind(sentence.isNotEmpty());
+    Nodes.showIf(problem, sentence.isNotEmpty());
   }
 
   private void bindDemo() {
+    demoFlight.setOnAction(pressed -> startOrStop());
     demoFlight
         .textProperty()
         .bind(
@@ -242,38 +213,24 @@ public final class PilotControls extends VBox implements AutoCloseable {
         .textProperty()
         .bind(
             Bindings.createStringBinding(
-                this::step,
-                demo.aimProperty(),
+                () -> step(demo.stepProperty().get()),
                 demo.stepProperty(),
-                demo.stepsProperty(),
-                demo.commandProperty(),
                 context.language().localeProperty()));
     progress
         .progressProperty()
-        .bind(
-            Bindings.createDoubleBinding(
-                () -> demo.stepProperty().get() / (double) Math.max(1, demo.stepsProperty().get()),
-                demo.stepProperty(),
-                demo.stepsProperty()));
+        .bind(demo.stepProperty().map(step -> step.number() / (double) Math.max(1, step.count())));
   }
 
-  private String step() {
+  private String step(DemoFlight.Step step) {
     return messages.now(
-        "tour-step-" + demo.aimProperty().get().name(),
-        demo.stepProperty().get(),
-        demo.stepsProperty().get(),
-        demo.commandProperty().get());
+        "tour-step-" + step.aim().name(), step.number(), step.count(), step.command());
   }
 
   private void bindCommands() {
-    ObservableValue<FlightPhase> phase =
-        context.simulation().selectedProperty().flatMap(FxDroneModel::phaseProperty);
+    ObservableValue<FlightPhase> phase = context.simulation().selected(FxDroneModel::phaseProperty);
     BooleanBinding flies =
         Bindings.createBooleanBinding(
             () -> phase.getValue() != null && phase.getValue().flying(), phase);
-    takeOff.textProperty().bind(messages.text("take-off"));
-    land.textProperty().bind(messages.text("land"));
-    emergency.textProperty().bind(messages.text("emergency"));
     takeOff.disableProperty().bind(flies.or(demo.runningProperty()));
     land.disableProperty().bind(flies.not().or(demo.runningProperty()));
     emergency.disableProperty().bind(flies.not());

@@ -11,8 +11,9 @@ import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Message;
 
 /**
- * Sends single commands to the selected drone through its real port, without waiting for replies; a
- * refusal becomes a sentence. For the JavaFX thread; it moves on with the pulse.
+ * Sends single commands to the UDP command port of the selected drone, without waiting for replies.
+ * The last refusal is available as a property. Confined to the JavaFX thread; advances with the UI
+ * ticks.
  */
 final class RemoteControl implements AutoCloseable {
 
@@ -22,41 +23,38 @@ final class RemoteControl implements AutoCloseable {
   private String asked = "";
 
   /**
-   * Counts what was asked for, so that a takeoff that waits for power gives way to what is next.
+   * Number of requests so far. A takeoff that is waiting for the drone to be switched on is
+   * superseded by any later request.
    */
   private int asks;
 
   public RemoteControl(ViewContext context) {
     this.context = context;
-    context.pulse().onBeat(nanos -> beat());
+    context.ticker().onTick(nanos -> tick());
   }
 
-  /** Takes off; switches the drone on first, if it is off. */
+  /** Takes off, after switching the drone on if necessary. */
   void takeOff() {
     problem.set(Message.NONE);
-    if (!drone().onProperty().get()) {
-      FxDroneModel drone = drone();
-      asks++;
-      int mine = asks;
-      context
-          .actions()
-          .switchPower(
-              drone.number(),
-              true,
-              refusal ->
-                  refusal.ifPresentOrElse(
-                      e -> problem.set(OperatorClient.portTaken(e)),
-                      () -> {
-                        if (mine == asks) {
-                          ask(drone, "takeoff");
-                        }
-                      }));
-    } else {
+    FxDroneModel drone = drone();
+    if (drone.onProperty().get()) {
       ask("takeoff");
+      return;
     }
+    asks++;
+    int mine = asks;
+    OperatorClient.switchOn(
+        context,
+        drone,
+        problem::set,
+        () -> {
+          if (mine == asks) {
+            ask(drone, "takeoff");
+          }
+        });
   }
 
-  /** Takes off, or lands what flies. */
+  /** Takes off, or lands if the drone is flying. */
   void takeOffOrLand() {
     if (phase().flying()) {
       ask("land");
@@ -65,7 +63,7 @@ final class RemoteControl implements AutoCloseable {
     }
   }
 
-  /** Sends a command that is answered. */
+  /** Sends a command that has a reply. */
   void ask(String command) {
     ask(drone(), command);
   }
@@ -77,27 +75,30 @@ final class RemoteControl implements AutoCloseable {
     send(drone, command);
   }
 
-  /** Sends a command that has no answer, such as {@code rc}. */
+  /** Sends a command that has no reply, such as {@code rc}. */
   void tell(String command) {
     send(drone(), command);
   }
 
-  /** The same to a drone that need not be the selected one. */
+  /** Sends a command that has no reply. The drone need not be selected. */
   void tell(FxDroneModel drone, String command) {
     send(drone, command);
   }
 
-  /** What the selected drone is doing. */
+  /** Returns the flight phase of the selected drone. */
   FlightPhase phase() {
     return drone().phaseProperty().get();
   }
 
-  /** What was refused last; {@link Message#NONE} after a command that succeeded. */
+  /**
+   * The reason why the last command was refused or could not be sent; {@link Message#NONE} if there
+   * is none.
+   */
   ReadOnlyObjectProperty<Message> problemProperty() {
     return problem.getReadOnlyProperty();
   }
 
-  /** Something else is being done; what was refused before is old news. */
+  /** Clears the last problem, because another action starts. */
   void forgetProblem() {
     problem.set(Message.NONE);
   }
@@ -115,7 +116,7 @@ final class RemoteControl implements AutoCloseable {
   private void send(FxDroneModel drone, String command) {
     try {
       OperatorSocket operator = socket(drone);
-      if (drone.operatorProperty().get().isEmpty()) {
+      if (drone.snapshotProperty().get().link().operator().isEmpty()) {
         operator.send("command");
       }
       operator.send(command);
@@ -133,7 +134,7 @@ final class RemoteControl implements AutoCloseable {
     return socket.get();
   }
 
-  private void beat() {
+  private void tick() {
     try {
       while (socket.isPresent()) {
         Optional<String> reply = socket.get().receive();

@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import javafx.scene.input.KeyCode;
 
-/** The keys that fly a drone, with what each does to the sticks of {@code rc}. */
+/** The keys that fly a drone, and how they move the sticks of {@code rc}. */
 public enum SteeringKey {
   FORWARD(KeyCode.W, "W", new Push(0, 1, 0, 0)),
   BACK(KeyCode.S, "S", new Push(0, -1, 0, 0)),
@@ -20,7 +20,10 @@ public enum SteeringKey {
   FLIP(KeyCode.F, "F", Push.NONE),
   EMERGENCY(KeyCode.X, "X", Push.NONE);
 
-  /** Directions of the four sticks as {@code rc} has them: right, forward, up, clockwise. */
+  /**
+   * The directions in which a key pushes the sticks, in the order of {@code rc}: right, forward,
+   * up, clockwise. Each is -1, 0 or 1.
+   */
   record Push(int right, int forward, int up, int clockwise) {
 
     static final Push NONE = new Push(0, 0, 0, 0);
@@ -41,7 +44,7 @@ public enum SteeringKey {
     this.push = push;
   }
 
-  /** What is written on it. */
+  /** Returns the symbol printed on the key. */
   public String symbol() {
     return symbol;
   }
@@ -50,7 +53,7 @@ public enum SteeringKey {
     return push;
   }
 
-  /** The key of the text that says what it does, in this package's messages. */
+  /** Returns the message key of the description, in this package's messages. */
   public String textKey() {
     return "key-" + name().toLowerCase(Locale.ROOT).replace('_', '-');
   }

@@ -6,24 +6,26 @@ import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import tellosimulator.math.Vec3;
 
-/** A line to which several items are moved; the plan shows the front wall above. */
+/** A line on which several items are aligned. The front wall is at the top of the plan. */
 enum Alignment {
-  /** The front edges, which are the upper ones of the plan. */
+  /** The front edges, at the top of the plan. */
   FRONT(true, edges -> edges.getMax()),
   BACK(true, edges -> edges.getMin()),
   LEFT(false, edges -> edges.getMax()),
   RIGHT(false, edges -> edges.getMin()),
-  /** The middles, in a row from left to right. */
+  /** The middles of the items, which then form a row from left to right. */
   ROW(true, Alignment::middle),
-  /** The middles, in a column from front to back. */
+  /** The middles of the items, which then form a column from front to back. */
   COLUMN(false, Alignment::middle);
 
   private final boolean alongX;
   private final ToDoubleFunction<DoubleSummaryStatistics> line;
 
   /**
-   * @param alongX whether items move along the room's x axis, otherwise along y
-   * @param line where it is between the edges of an item along that axis [m]
+   * Creates an alignment along an axis.
+   *
+   * @param alongX whether items are moved along the room's x axis rather than its y axis
+   * @param line returns the position of the line, given the edges of an item along that axis [m]
    */
   Alignment(boolean alongX, ToDoubleFunction<DoubleSummaryStatistics> line) {
     this.alongX = alongX;
@@ -34,12 +36,12 @@ enum Alignment {
     return (edges.getMin() + edges.getMax()) / 2;
   }
 
-  /** The end of the keys of its texts. */
+  /** Returns the suffix of this alignment's text keys. */
   String word() {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** The plan with all items moved to the line of the last one. */
+  /** Returns the plan with the given items aligned with the last of them. */
   FloorPlan aligned(FloorPlan plan, List<PlanItem> items) {
     if (items.isEmpty()) {
       return plan;

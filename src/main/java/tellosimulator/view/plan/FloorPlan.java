@@ -4,10 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
+import tellosimulator.goal.PlacedGoal;
 import tellosimulator.math.Pose;
 import tellosimulator.scenario.DroneOrigin;
 import tellosimulator.scenario.PlannedDrone;
@@ -23,11 +27,11 @@ import tellosimulator.world.Obstacle;
 import tellosimulator.world.ObstacleNames;
 
 /**
- * Everything that can be placed in a room, and where it is. Immutable.
+ * Everything that can be placed in a room, with its positions. Immutable.
  *
  * @param arena the room with obstacles and mission pads
- * @param drones in the order of their numbers
- * @param challenge what they shall do
+ * @param drones the drones in the order of their numbers
+ * @param challenge the goals of the drones
  */
 record FloorPlan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
 
@@ -36,9 +40,9 @@ record FloorPlan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
   }
 
   /**
-   * That of a simulation.
+   * Returns the floor plan of a simulation.
    *
-   * @param origins of its drones, in the order of their numbers
+   * @param origins the origins of the drones, in the order of their numbers
    */
   static FloorPlan of(SimSnapshot snapshot, List<DroneOrigin> origins, Challenge challenge) {
     List<PlannedDrone> drones = new ArrayList<>();
@@ -48,12 +52,12 @@ record FloorPlan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
     return new FloorPlan(snapshot.arena(), drones, challenge);
   }
 
-  /** Where the drones start, in the order of their numbers. */
+  /** Returns the starting poses of the drones, in the order of their numbers. */
   List<Pose> starts() {
     return drones.stream().map(PlannedDrone::start).toList();
   }
 
-  /** Where the drones come from, in the order of their numbers. */
+  /** Returns the origins of the drones, in the order of their numbers. */
   List<DroneOrigin> origins() {
     return drones.stream().map(PlannedDrone::origin).toList();
   }
@@ -62,7 +66,7 @@ record FloorPlan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
     return challenge.goals();
   }
 
-  /** Everything, in the order of drawing: later ones lie over earlier ones. */
+  /** Returns all items in drawing order: later items are drawn over earlier ones. */
   List<PlanItem> items() {
     Stream<PlanItem> pads = arena.pads().stream().map(pad -> new Pad(pad.id()));
     Stream<PlanItem> things =
@@ -72,49 +76,49 @@ record FloorPlan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
     return Stream.of(asked, pads, things, all).flatMap(items -> items).toList();
   }
 
-  /** Whether there is such an item. */
+  /** Returns whether the plan contains an item. */
   boolean has(PlanItem item) {
-    if (item instanceof ObstacleItem body) {
-      return body.index() < arena.obstacles().size();
-    } else if (item instanceof Pad pad) {
-      return pad(pad.id()).isPresent();
-    } else if (item instanceof GoalItem goal) {
-      return goal.index() < goals().size();
-    }
-    return ((Start) item).drone() <= drones.size();
+    return item.match(
+        start -> start.drone() <= drones.size(),
+        pad -> pad(pad.id()).isPresent(),
+        obstacle -> obstacle.index() < arena.obstacles().size(),
+        goal -> goal.index() < goals().size());
   }
 
-  /** Whether what a goal names is there. */
+  /** Returns whether the object that a goal names is in the plan; true if the goal names none. */
   boolean offers(Goal goal) {
     if (goal instanceof Goal.Pass pass) {
-      return arena.obstacles().stream().anyMatch(obstacle -> obstacle.name().equals(pass.gate()));
+      return names().contains(pass.gate());
+    } else if (goal instanceof Goal.See see) {
+      return PlacedGoal.targets(arena).containsKey(see.target());
     }
     return !(goal instanceof Goal.LandOn land) || pad(land.pad()).isPresent();
   }
 
-  /** Where an item is; of a hanging mission pad, its heading is out of the wall. */
-  Placement placement(PlanItem item) {
-    if (item instanceof ObstacleItem body) {
-      Obstacle obstacle = obstacle(body);
-      return new Placement(obstacle.foot(), obstacle.heading());
-    } else if (item instanceof Pad known) {
-      return PadPlacement.placement(pad(known), arena.room());
-    } else if (item instanceof GoalItem goal) {
-      return GoalPlacement.placement(goal(goal), this);
-    }
-    return Placement.of(drone((Start) item).start());
+  /** Returns whether an item is a goal that names an object instead of having its own position. */
+  boolean namesAnother(PlanItem item) {
+    return item instanceof GoalItem goal && !(goal(goal) instanceof Goal.InRegion);
   }
 
-  /** What an item covers of the floor. */
+  /**
+   * Returns the placement of an item. The heading of a hanging mission pad points from the wall
+   * into the room.
+   */
+  Placement placement(PlanItem item) {
+    return item.match(
+        start -> Placement.of(drone(start).start()),
+        pad -> PadPlacement.placement(pad(pad), arena.room()),
+        obstacle -> new Placement(obstacle(obstacle).foot(), obstacle(obstacle).heading()),
+        goal -> GoalPlacement.placement(goal(goal), this));
+  }
+
+  /** Returns the outline of an item on the floor. */
   PlanOutline outline(PlanItem item) {
-    if (item instanceof ObstacleItem body) {
-      return PlanOutline.of(obstacle(body).shape());
-    } else if (item instanceof Pad known) {
-      return PlanOutline.of(pad(known));
-    } else if (item instanceof GoalItem goal) {
-      return GoalPlacement.outline(goal(goal), this);
-    }
-    return PlanOutline.ofDrone();
+    return item.match(
+        start -> PlanOutline.ofDrone(),
+        pad -> PlanOutline.of(pad(pad)),
+        obstacle -> PlanOutline.of(obstacle(obstacle).shape()),
+        goal -> GoalPlacement.outline(goal(goal), this));
   }
 
   Obstacle obstacle(ObstacleItem item) {
@@ -138,82 +142,85 @@ record FloorPlan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
   }
 
   /**
-   * The same with an item elsewhere; a hanging mission pad stays at the wall that is nearest, and a
-   * goal at the gate or pad that it names.
+   * Returns a plan with an item moved. A hanging mission pad is moved to the nearest wall, and a
+   * goal that names a gate or pad stays at that gate or pad.
    */
   FloorPlan with(PlanItem item, Placement placement) {
-    if (item instanceof ObstacleItem body) {
-      List<Obstacle> obstacles = new ArrayList<>(arena.obstacles());
-      obstacles.set(body.index(), obstacle(body).movedTo(placement.place(), placement.heading()));
-      return withArena(arena.withObstacles(obstacles));
-    } else if (item instanceof Pad known) {
-      return replacing(known.id(), PadPlacement.moved(pad(known), placement, arena.room()));
-    }
-    if (item instanceof GoalItem goal) {
-      return with(goal, GoalPlacement.moved(goal(goal), placement.place()));
-    }
-    return with((Start) item, drone((Start) item).at(placement.pose()));
+    return item.match(
+        start -> with(start, drone(start).at(placement.pose())),
+        pad -> with(pad, PadPlacement.moved(pad(pad), placement, arena.room())),
+        obstacle ->
+            with(obstacle, obstacle(obstacle).movedTo(placement.place(), placement.heading())),
+        goal -> with(goal, GoalPlacement.moved(goal(goal), placement.place())));
   }
 
-  /** The same with another drone in the place of one. */
+  /** Returns a plan with a drone replaced. */
   FloorPlan with(Start start, PlannedDrone drone) {
-    List<PlannedDrone> others = new ArrayList<>(drones);
-    others.set(start.drone() - 1, drone);
-    return new FloorPlan(arena, others, challenge);
+    return withDrones(edited(drones, all -> all.set(start.drone() - 1, drone)));
   }
 
-  /** The same with another drone, as the last one. */
+  /** Returns a plan with a drone appended. */
   FloorPlan with(PlannedDrone drone) {
-    List<PlannedDrone> all = new ArrayList<>(drones);
-    all.add(drone);
-    return new FloorPlan(arena, all, challenge);
+    return withDrones(edited(drones, all -> all.add(drone)));
   }
 
-  /** The same with another goal in the place of one. */
+  /** Returns a plan with a mission pad replaced. */
+  FloorPlan with(Pad item, MissionPad pad) {
+    return withPads(edited(arena.pads(), all -> all.set(all.indexOf(pad(item)), pad)));
+  }
+
+  /** Returns a plan with a mission pad added. */
+  FloorPlan with(MissionPad pad) {
+    return withPads(edited(arena.pads(), all -> all.add(pad)));
+  }
+
+  /** Returns a plan with an obstacle replaced. */
+  FloorPlan with(ObstacleItem item, Obstacle obstacle) {
+    return withObstacles(edited(arena.obstacles(), all -> all.set(item.index(), obstacle)));
+  }
+
+  /** Returns a plan with an obstacle appended. */
+  FloorPlan with(Obstacle obstacle) {
+    return withObstacles(edited(arena.obstacles(), all -> all.add(obstacle)));
+  }
+
+  /** Returns a plan with a goal replaced. */
   FloorPlan with(GoalItem item, Goal goal) {
-    List<Goal> others = new ArrayList<>(goals());
-    others.set(item.index(), goal);
-    return withChallenge(others);
+    return withGoals(edited(goals(), all -> all.set(item.index(), goal)));
   }
 
-  /** The same with another goal, as the last one. */
+  /** Returns a plan with a goal appended. */
   FloorPlan with(Goal goal) {
-    List<Goal> all = new ArrayList<>(goals());
-    all.add(goal);
-    return withChallenge(all);
+    return withGoals(edited(goals(), all -> all.add(goal)));
   }
 
-  private FloorPlan withChallenge(List<Goal> goals) {
-    return withChallenge(challenge.withGoals(goals));
-  }
-
-  /** The same for drones that shall do something else. */
+  /** Returns a plan with another challenge. */
   FloorPlan withChallenge(Challenge newChallenge) {
     return new FloorPlan(arena, drones, newChallenge);
   }
 
   /**
-   * The same with a goal at another place in their order.
+   * Returns a plan with a goal moved to another position in the order.
    *
-   * @param number from 1
+   * @param number the new number, from 1
    */
   FloorPlan renumbered(GoalItem item, int number) {
-    List<Goal> others = new ArrayList<>(goals());
-    others.add(number - 1, others.remove(item.index()));
-    return withChallenge(others);
+    return withGoals(edited(goals(), all -> all.add(number - 1, all.remove(item.index()))));
   }
 
   /**
-   * The same with a drone at another place in their order; the goals of each stay its own.
+   * Returns a plan with a drone moved to another position in the order. Goals stay assigned to the
+   * same drones.
    *
-   * @param number from 1
+   * @param number the new number, from 1
    */
   FloorPlan renumbered(Start start, int number) {
-    List<Integer> order = new ArrayList<>(IntStream.rangeClosed(1, drones.size()).boxed().toList());
-    order.add(number - 1, order.remove(start.drone() - 1));
-    List<PlannedDrone> others = order.stream().map(old -> drones.get(old - 1)).toList();
-    return new FloorPlan(arena, others, challenge)
-        .withChallenge(goals().stream().map(goal -> goal.forDrone(number(order, goal))).toList());
+    List<Integer> order =
+        edited(
+            IntStream.rangeClosed(1, drones.size()).boxed().toList(),
+            all -> all.add(number - 1, all.remove(start.drone() - 1)));
+    return withDrones(order.stream().map(old -> drones.get(old - 1)).toList())
+        .withGoals(goals().stream().map(goal -> goal.forDrone(number(order, goal))).toList());
   }
 
   private static OptionalInt number(List<Integer> order, Goal goal) {
@@ -222,38 +229,11 @@ record FloorPlan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
         : goal.drone();
   }
 
-  /** The same with another obstacle, as the last one. */
-  FloorPlan with(Obstacle obstacle) {
-    List<Obstacle> obstacles = new ArrayList<>(arena.obstacles());
-    obstacles.add(obstacle);
-    return withArena(arena.withObstacles(obstacles));
-  }
-
-  /** The same with another obstacle in the place of one. */
-  FloorPlan with(ObstacleItem item, Obstacle obstacle) {
-    List<Obstacle> obstacles = new ArrayList<>(arena.obstacles());
-    obstacles.set(item.index(), obstacle);
-    return withArena(arena.withObstacles(obstacles));
-  }
-
-  /** The same with another mission pad in the place of that of an id. */
-  FloorPlan replacing(int id, MissionPad other) {
-    return withArena(
-        arena.withPads(arena.pads().stream().map(pad -> pad.id() == id ? other : pad).toList()));
-  }
-
-  /** The same with another mission pad. */
-  FloorPlan with(MissionPad pad) {
-    List<MissionPad> pads = new ArrayList<>(arena.pads());
-    pads.add(pad);
-    return withArena(arena.withPads(pads));
-  }
-
-  /** The same without some items. */
+  /** Returns a plan without the given items. */
   FloorPlan without(List<PlanItem> items) {
     List<PlanItem> present = items();
     FloorPlan rest = this;
-    for (int i = present.size() - 1; i >= 0; i--) { // so that the numbers of those before stay
+    for (int i = present.size() - 1; i >= 0; i--) { // backwards, so that indices stay valid
       if (items.contains(present.get(i))) {
         rest = rest.without(present.get(i));
       }
@@ -261,25 +241,25 @@ record FloorPlan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
     return rest;
   }
 
-  /** The same without an item; a drone that goes is one that no goal names. */
+  /** Returns a plan without an item; a drone may be removed only if no goal names it. */
   FloorPlan without(PlanItem item) {
-    if (item instanceof ObstacleItem body) {
-      List<Obstacle> obstacles = new ArrayList<>(arena.obstacles());
-      obstacles.remove(body.index());
-      return withArena(arena.withObstacles(obstacles));
-    } else if (item instanceof Pad known) {
-      return withArena(
-          arena.withPads(arena.pads().stream().filter(pad -> pad.id() != known.id()).toList()));
-    } else if (item instanceof GoalItem goal) {
-      List<Goal> others = new ArrayList<>(goals());
-      others.remove(goal.index());
-      return withChallenge(others);
-    }
-    FloorPlan last = renumbered((Start) item, drones.size());
-    return new FloorPlan(arena, last.drones.subList(0, drones.size() - 1), last.challenge);
+    return item.match(
+        start -> {
+          FloorPlan last = renumbered(start, drones.size());
+          return last.withDrones(last.drones.subList(0, drones.size() - 1));
+        },
+        pad -> withPads(edited(arena.pads(), all -> all.remove(pad(pad)))),
+        obstacle -> withObstacles(edited(arena.obstacles(), all -> all.remove(obstacle.index()))),
+        goal -> withGoals(edited(goals(), all -> all.remove(goal.index()))));
   }
 
-  /** The ids that no mission pad has, the lowest one first. */
+  private static <T> List<T> edited(List<T> list, Consumer<List<T>> edit) {
+    List<T> copy = new ArrayList<>(list);
+    edit.accept(copy);
+    return copy;
+  }
+
+  /** Returns the unused mission pad ids in ascending order. */
   List<Integer> freePadIds() {
     return IntStream.rangeClosed(1, MissionPad.LAST_ID)
         .boxed()
@@ -287,19 +267,43 @@ record FloorPlan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
         .toList();
   }
 
-  /** A name that no obstacle has: {@code box 2}. */
+  /** Returns the names of the obstacles. */
+  Set<String> names() {
+    return arena.obstacles().stream().map(Obstacle::name).collect(Collectors.toSet());
+  }
+
+  /** Returns an unused obstacle name such as {@code box 2}. */
   String freeName(String kind) {
     ObstacleNames names = new ObstacleNames();
-    arena.obstacles().forEach(obstacle -> names.take(obstacle.name()));
+    names().forEach(names::take);
     return names.next(kind);
   }
 
-  /** These items in a room that may have become another one, with its own looks and wind. */
+  /**
+   * Returns a plan with the items of this plan in another room. That room keeps its own decor and
+   * wind.
+   */
   FloorPlan in(Arena present) {
     return withArena(present.withObstacles(arena.obstacles()).withPads(arena.pads()));
   }
 
+  private FloorPlan withObstacles(List<Obstacle> obstacles) {
+    return withArena(arena.withObstacles(obstacles));
+  }
+
+  private FloorPlan withPads(List<MissionPad> pads) {
+    return withArena(arena.withPads(pads));
+  }
+
   private FloorPlan withArena(Arena newArena) {
     return new FloorPlan(newArena, drones, challenge);
+  }
+
+  private FloorPlan withDrones(List<PlannedDrone> newDrones) {
+    return new FloorPlan(arena, newDrones, challenge);
+  }
+
+  private FloorPlan withGoals(List<Goal> goals) {
+    return withChallenge(challenge.withGoals(goals));
   }
 }

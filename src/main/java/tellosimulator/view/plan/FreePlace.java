@@ -1,49 +1,46 @@
 package tellosimulator.view.plan;
 
 import java.util.Optional;
-import java.util.function.BiPredicate;
-import java.util.function.Function;
+import java.util.function.Predicate;
 import tellosimulator.math.Vec3;
 
-/** Looks for a place where something new can be: beside what is there, or else where it fits. */
+/** Finds a place for a new item: beside existing items if possible, otherwise wherever it fits. */
 final class FreePlace {
 
-  /** Distance between places at which something new is tried [m]. Decided. */
+  /** Distance between candidate places [m]. Decided. */
   private static final double GRID_STEP = 0.25;
 
-  /** How far from a place something new is tried, in rasters. Decided: seven metres. */
+  /** Number of grid steps that are searched in each direction. Decided: reaches 7 m. */
   private static final int MOST_RINGS = 28;
 
-  /** What stays free around something new [m]. Decided: its name and that of its neighbour. */
+  /**
+   * Space to keep free around a new item if possible [m]. Decided: leaves space for the names of
+   * the item and its neighbour.
+   */
   private static final double AIR = 0.15;
 
   private FreePlace() {}
 
   /**
-   * The plan with something new, as near as can be to a place.
+   * Returns the plan with a new item near a place: at the nearest place that is clear of other
+   * items, or else at the nearest place where the item fits; empty if there is none.
    *
-   * @param item the new one
-   * @param adding makes the plan with it at a place of the floor
-   * @return empty if it fits nowhere
+   * @param added the plan with the item at any place
    */
-  static Optional<FloorPlan> near(Vec3 near, PlanItem item, Function<Vec3, FloorPlan> adding) {
-    return around(near, item, adding, FreePlace::apart)
-        .or(() -> around(near, item, adding, (wanted, other) -> true));
+  static Optional<FloorPlan> near(Vec3 near, PlanChange added) {
+    return around(near, added, wanted -> apart(wanted, added.item()))
+        .or(() -> around(near, added, wanted -> true));
   }
 
-  /** Tries places around one, from the nearest ring to the farthest. */
+  /** Tries the places around a given one, from the innermost ring outwards. */
   private static Optional<FloorPlan> around(
-      Vec3 near,
-      PlanItem item,
-      Function<Vec3, FloorPlan> adding,
-      BiPredicate<FloorPlan, PlanItem> wish) {
+      Vec3 near, PlanChange added, Predicate<FloorPlan> wish) {
     for (int ring = 0; ring <= MOST_RINGS; ring++) {
       for (int x = -ring; x <= ring; x++) {
         for (int y = -ring; y <= ring; y++) {
           if (Math.max(Math.abs(x), Math.abs(y)) == ring) {
-            Vec3 place = near.plus(new Vec3(x * GRID_STEP, y * GRID_STEP, 0)).withZ(0);
-            FloorPlan wanted = adding.apply(place);
-            if (PlacementProblem.problem(wanted, item).isEmpty() && wish.test(wanted, item)) {
+            FloorPlan wanted = added.at(near.plus(new Vec3(x * GRID_STEP, y * GRID_STEP, 0)));
+            if (PlacementProblem.problem(wanted, added.item()).isEmpty() && wish.test(wanted)) {
               return Optional.of(wanted);
             }
           }
@@ -53,7 +50,7 @@ final class FreePlace {
     return Optional.empty();
   }
 
-  /** Whether a new item is clear of all others, however they are turned. */
+  /** Returns whether a new item is clear of all others, regardless of its rotation. */
   private static boolean apart(FloorPlan wanted, PlanItem item) {
     Vec3 place = wanted.placement(item).place();
     double reach = wanted.outline(item).reach() + AIR;

@@ -8,7 +8,7 @@ import tellosimulator.world.MissionPad;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
-/** Placement of mission pads on the floor and at walls, seen from above. */
+/** Computes the placement of mission pads on the floor and at walls, seen from above. */
 final class PadPlacement {
 
   private static final List<Surface> WALLS =
@@ -16,7 +16,10 @@ final class PadPlacement {
 
   private PadPlacement() {}
 
-  /** Where a mission pad is seen from above; one that hangs looks out of its wall. */
+  /**
+   * Returns the placement of a mission pad. The heading of a hanging pad points from its wall into
+   * the room.
+   */
   static Placement placement(MissionPad pad, Room room) {
     Vec3 middle = pad.pose(room).position();
     if (!pad.surface().wall()) {
@@ -26,13 +29,16 @@ final class PadPlacement {
     return new Placement(middle.plus(new Vec3(PlanOutline.HANGING / 2, 0, 0).turned(out)), out);
   }
 
-  /** The same elsewhere: on the floor anywhere, otherwise along the walls. */
+  /**
+   * Returns a mission pad moved to a placement. A hanging pad moves to the nearest wall, and keeps
+   * its height and rotation.
+   */
   static MissionPad moved(MissionPad pad, Placement placement, Room room) {
     if (!pad.surface().wall()) {
       return MissionPad.onFloor(pad.id(), placement.place(), placement.heading());
     }
     Surface wall = nearest(placement.place(), room);
-    // to the right of who looks at the wall
+    // to the right, as seen by an observer who faces the wall
     double along = -placement.place().turned(-wall.heading()).y();
     double reach = (room.lengthOf(wall) - MissionPad.EDGE) / 2;
     double kept = Math.max(-reach, Math.min(reach, along));

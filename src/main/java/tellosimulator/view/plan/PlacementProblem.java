@@ -5,60 +5,58 @@ import java.util.Optional;
 import tellosimulator.goal.Goal;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
-import tellosimulator.view.plan.PlanItem.GoalItem;
-import tellosimulator.view.plan.PlanItem.ObstacleItem;
-import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Footprint;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.Room;
 
-/** Why an item cannot stand where it would, or cannot be removed. */
+/** The reason why an item cannot be placed or removed. */
 enum PlacementProblem {
-  /** Something of it would be outside of the walls. */
+  /** Part of the item would be outside the walls. */
   OUTSIDE,
-  /** It would reach above the ceiling. */
+  /** The top of the obstacle would be above the ceiling. */
   TOO_HIGH,
-  /** An obstacle would stand where a drone starts. */
+  /** An obstacle would cover a drone's start. */
   ON_START,
   /** A drone would start in an obstacle. */
   IN_OBSTACLE,
-  /** Two drones would start in the same place. */
+  /** Two drones would overlap at their starts. */
   ON_DRONE,
-  /** It would be gone or have another name, and a goal names it. */
+  /** The item would be removed or renamed, but a goal names it. */
   NAMED_BY_GOAL,
-  /** Another obstacle has this name. */
+  /** Another obstacle already has this name. */
   NAME_TAKEN,
-  /** Drones would be other ones or have other numbers, and a fault names one. */
+  /** Drones would be removed or renumbered, but a fault names one of them. */
   NAMED_BY_FAULT,
-  /** No drone would be left. */
+  /** No drone would remain. */
   LAST_DRONE,
-  /** There are as many drones as there can be. */
+  /** The maximum number of drones is reached. */
   MOST_DRONES,
-  /** Drones or goals would be other ones while a drone flies. */
+  /** Drones or goals would change while a drone is flying. */
   WHILE_FLYING;
 
-  /** What may be missing to a gap [m]: the last bits of a calculation. */
+  /** Tolerance for rounding errors in the distance between two drones [m]. */
   private static final double SLACK = 1e-6;
 
-  /** What keeps an item from where it is; empty if nothing does. */
+  /** Returns the reason why an item cannot be at its place; empty if it can. */
   static Optional<PlacementProblem> problem(FloorPlan plan, PlanItem item) {
-    if (item instanceof ObstacleItem body) {
-      return problem(plan, plan.obstacle(body));
-    } else if (item instanceof Start start) {
-      return problem(plan, start);
-    } else if (item instanceof GoalItem goal) {
-      return plan.goal(goal) instanceof Goal.InRegion at
-              && !Footprint.inside(at.region().place(), plan.arena().room())
-          ? Optional.of(OUTSIDE)
-          : Optional.empty();
-    }
-    return Footprint.inside(plan.pad((Pad) item), plan.arena().room())
-        ? Optional.empty()
-        : Optional.of(OUTSIDE);
+    Room room = plan.arena().room();
+    return item.match(
+        start -> problem(plan, start),
+        pad -> outside(Footprint.inside(plan.pad(pad), room)),
+        obstacle -> problem(plan, plan.obstacle(obstacle)),
+        goal ->
+            outside(
+                !(plan.goal(goal) instanceof Goal.InRegion at)
+                    || Footprint.inside(at.region().place(), room)));
   }
 
-  /** Whether a goal could not be reached any more; empty if none is concerned. */
+  private static Optional<PlacementProblem> outside(boolean inside) {
+    return inside ? Optional.empty() : Optional.of(OUTSIDE);
+  }
+
+  /** Returns a problem if a gate or pad that a goal names would disappear; empty otherwise. */
   static Optional<PlacementProblem> problemWithGoals(FloorPlan plan, FloorPlan wanted) {
     return wanted.goals().stream().anyMatch(goal -> plan.offers(goal) && !wanted.offers(goal))
         ? Optional.of(NAMED_BY_GOAL)
@@ -66,7 +64,7 @@ enum PlacementProblem {
   }
 
   /**
-   * What keeps drones from being taken away; empty if nothing does.
+   * Returns the reason why drones cannot be removed; empty if they can.
    *
    * @param faulty whether a fault names a drone by its number
    */

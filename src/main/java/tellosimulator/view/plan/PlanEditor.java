@@ -3,12 +3,12 @@ package tellosimulator.view.plan;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import tellosimulator.goal.Challenge;
-import tellosimulator.goal.Goal;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
@@ -19,8 +19,8 @@ import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.view.plan.PlanItem.Start;
 
 /**
- * What is placed in the room, what of it is chosen, and what can be undone. Each change is sent to
- * the simulation at once; what would not fit is not sent. For the JavaFX thread.
+ * The state of the editor: the placed items, the selection, and the undo history. Each change is
+ * sent to the simulation at once, unless an item would not fit. Confined to the JavaFX thread.
  */
 final class PlanEditor {
 
@@ -36,7 +36,7 @@ final class PlanEditor {
   private final ReadOnlyBooleanWrapper redoable = new ReadOnlyBooleanWrapper(this, "redoable");
   private UndoStack history = new UndoStack();
 
-  /** How it was when the hand took hold of something. */
+  /** The plan before the current drag; empty if there is none. */
   private Optional<FloorPlan> held = Optional.empty();
 
   PlanEditor(FxSimulation simulation, SimulatorActions actions, FxScenario scenario) {
@@ -50,10 +50,10 @@ final class PlanEditor {
     return FloorPlan.of(simulation.snapshot(), scenario.origins(), challenge);
   }
 
-  /** Takes over what the newest snapshot says; once a pulse while somebody looks. */
+  /** Adopts the newest snapshot. Must be called once per UI tick while the plan is shown. */
   void advance() {
     if (actions.pending()) {
-      return; // the snapshot does not show it yet
+      return; // the snapshot does not include the change yet
     }
     FloorPlan before = plan.get();
     FloorPlan newest = present(held.isPresent() ? before.challenge() : scenario.challenge());
@@ -61,24 +61,24 @@ final class PlanEditor {
       return;
     }
     if (!newest.arena().room().equals(before.arena().room())) {
-      forget(); // what was in the other room may be outside of this one
+      forget(); // items of the old room may be outside the new one
     }
     show(newest);
   }
 
-  /** What was done until now, for the editor of another window. */
+  /** Returns the undo history, so that it can be passed to the editor of another window. */
   UndoStack history() {
     return history;
   }
 
-  /** Goes on with what was done in another window. */
+  /** Restores the history and selection from another window. */
   void goOn(UndoStack done, List<PlanItem> selected) {
     history = done;
     select(selected.stream().filter(plan()::has).toList());
     showHistory();
   }
 
-  /** What is where. */
+  /** The placed items. */
   ReadOnlyObjectProperty<FloorPlan> planProperty() {
     return plan.getReadOnlyProperty();
   }
@@ -87,7 +87,9 @@ final class PlanEditor {
     return plan.get();
   }
 
-  /** The items that mouse, keys and wheel change; the last one was selected last. */
+  /**
+   * The items that mouse and keyboard input affects. The item that was selected last is at the end.
+   */
   ReadOnlyObjectProperty<List<PlanItem>> selectionProperty() {
     return selection.getReadOnlyProperty();
   }
@@ -96,18 +98,18 @@ final class PlanEditor {
     return selection.get();
   }
 
-  /** The item that was selected last; empty if there is none. */
+  /** Returns the item that was selected last; empty if there is none. */
   Optional<PlanItem> selected() {
     List<PlanItem> all = selection();
     return all.isEmpty() ? Optional.empty() : Optional.of(all.get(all.size() - 1));
   }
 
-  /** Selects nothing but these. */
+  /** Selects only these items. */
   void select(List<PlanItem> items) {
     selection.set(List.copyOf(items));
   }
 
-  /** Selects an item beside the others, or no longer. */
+  /** Adds an item to the selection, or removes it. */
   void toggle(PlanItem item) {
     List<PlanItem> items = new ArrayList<>(selection());
     if (!items.remove(item)) {
@@ -116,7 +118,7 @@ final class PlanEditor {
     select(items);
   }
 
-  /** Why the last item that was wanted was not done; empty if it was. */
+  /** The reason why the last change was refused; empty if it was not refused. */
   ReadOnlyObjectProperty<Optional<PlacementProblem>> problemProperty() {
     return problem.getReadOnlyProperty();
   }
@@ -129,7 +131,7 @@ final class PlanEditor {
     return redoable.getReadOnlyProperty();
   }
 
-  /** Begins a change that takes several moves and is undone as one. */
+  /** Begins a change that consists of several moves and is undone as a whole. */
   void hold() {
     held = Optional.of(plan());
   }
@@ -147,44 +149,47 @@ final class PlanEditor {
     problem.set(Optional.empty());
   }
 
-  /** Puts the item that was selected last elsewhere, and the others beside it, if all fit. */
-  void place(Placement placement) {
-    selected()
-        .ifPresent(
-            item -> {
-              Vec3 way = placement.place().minus(plan().placement(item).place());
-              FloorPlan wanted = placed(item, placement);
-              for (PlanItem other : selection().subList(0, selection().size() - 1)) {
-                Placement beside = plan().placement(other);
-                wanted = wanted.with(other, beside.at(beside.place().plus(way)));
-              }
-              tryOut(wanted);
-            });
+  /**
+   * Changes the placement of the item that was selected last, and moves the other selected items by
+   * the same distance. If one of them does not fit, moves none of them and sets the problem.
+   */
+  void place(UnaryOperator<Placement> change) {
+    selected().ifPresent(item -> place(item, change.apply(plan().placement(item))));
   }
 
-  /** A goal that is moved alone goes to another gate or pad, if it names one. */
-  private FloorPlan placed(PlanItem item, Placement placement) {
-    boolean named = item instanceof GoalItem goal && !(plan().goal(goal) instanceof Goal.InRegion);
-    if (!named || selection().size() > 1) {
-      return plan().with(item, placement);
+  private void place(PlanItem item, Placement placement) {
+    Vec3 way = placement.place().minus(plan().placement(item).place());
+    FloorPlan wanted = placed(item, placement);
+    for (PlanItem other : selection().subList(0, selection().size() - 1)) {
+      Placement beside = plan().placement(other);
+      wanted = wanted.with(other, beside.at(beside.place().plus(way)));
     }
-    GoalItem goal = (GoalItem) item;
-    return plan().with(goal, GoalPlacement.renamed(plan().goal(goal), placement.place(), plan()));
+    tryOut(wanted);
   }
 
-  /** Moves the selected items to an edge or a line of the one that was selected last. */
+  /**
+   * Moves an item in the plan. If a goal that names a gate or pad is moved alone, it is assigned to
+   * the gate or pad nearest to its new place.
+   */
+  private FloorPlan placed(PlanItem item, Placement placement) {
+    return selection().size() == 1 && item instanceof GoalItem goal && plan().namesAnother(goal)
+        ? plan().with(goal, GoalPlacement.renamed(plan().goal(goal), placement.place(), plan()))
+        : plan().with(item, placement);
+  }
+
+  /** Aligns the selected items with an edge or the middle of the item that was selected last. */
   void align(Alignment alignment) {
     tryOut(alignment.aligned(plan(), selection()));
   }
 
-  /** Whether something is selected that can be taken away: one drone stays. */
+  /** Returns whether a selected item can be removed; one drone must remain. */
   boolean removable() {
     long starts = selection().stream().filter(Start.class::isInstance).count();
     return !selection().isEmpty()
         && (selection().size() > starts || starts < plan().drones().size());
   }
 
-  /** Takes the selected items away, unless a goal or a fault names one. */
+  /** Removes the selected items, or sets the problem if that is not possible. */
   void remove() {
     List<PlanItem> drones = selection().stream().filter(Start.class::isInstance).toList();
     List<PlanItem> others = new ArrayList<>(selection());
@@ -198,26 +203,26 @@ final class PlanEditor {
     }
   }
 
-  /** Whether another number of a drone would be another drone to a fault. */
-  boolean faultNamesDrone() {
+  /** Returns whether a fault names a drone by its number, so that drones must not be renumbered. */
+  private boolean faultNamesDrone() {
     return scenario.scenario().config().rules().faults().faults().stream()
         .anyMatch(fault -> fault.target().drone().isPresent());
   }
 
-  /** Makes the last change undone. */
+  /** Undoes the last change. */
   void undo() {
     history
         .undone(plan())
         .filter(wanted -> !restored(wanted))
-        .ifPresent(wanted -> history.redone(wanted)); // as before
+        .ifPresent(wanted -> history.redone(wanted)); // it was refused: restores the history
   }
 
-  /** Does again what was undone last. */
+  /** Repeats the change that was undone last. */
   void redo() {
     history
         .redone(plan())
         .filter(wanted -> !restored(wanted))
-        .ifPresent(wanted -> history.undone(wanted)); // as before
+        .ifPresent(wanted -> history.undone(wanted)); // it was refused: restores the history
   }
 
   private boolean restored(FloorPlan earlier) {
@@ -229,7 +234,9 @@ final class PlanEditor {
     return done;
   }
 
-  /** Carries a change of the selected items out, if all of them fit. */
+  /**
+   * Carries out a change of the selected items, or sets the problem if one of them does not fit.
+   */
   void tryOut(FloorPlan wanted) {
     problem.set(
         selection().stream()
@@ -244,12 +251,35 @@ final class PlanEditor {
     carryOut(wanted, selection());
   }
 
-  /** Says why something was not done. */
+  /**
+   * Carries out a change of the item that was selected last. Sets the problem instead if another
+   * obstacle already has the new name, if the gate or pad that a goal names would disappear, or if
+   * drones would be renumbered although a fault names one.
+   */
+  void change(PlanChange change) {
+    FloorPlan wanted = change.plan();
+    boolean renumbered = !selected().equals(Optional.of(change.item()));
+    if (wanted.names().size() < plan().names().size()) {
+      refuse(PlacementProblem.NAME_TAKEN);
+    } else if (renumbered && change.item() instanceof Start && faultNamesDrone()) {
+      refuse(PlacementProblem.NAMED_BY_FAULT);
+    } else {
+      PlacementProblem.problemWithGoals(plan(), wanted)
+          .ifPresentOrElse(
+              this::refuse,
+              () -> carryOut(wanted, renumbered ? List.of(change.item()) : selection()));
+    }
+  }
+
+  /** Sets the reason why a change was refused. */
   void refuse(PlacementProblem why) {
     problem.set(Optional.of(why));
   }
 
-  /** Selects items, and carries a change of them out: another window may go on from there. */
+  /**
+   * Selects items, then applies a change to them. The order matters, because another window may
+   * take over during the change.
+   */
   void carryOut(FloorPlan wanted, List<PlanItem> items) {
     FloorPlan before = plan();
     if (wanted.equals(before)) {
@@ -265,7 +295,7 @@ final class PlanEditor {
       remember(before);
     }
     if (!send(wanted)) {
-      select(selected); // those selected now may not be there
+      select(selected); // the newly selected items may not exist
       if (held.isEmpty()) {
         history.drop();
         showHistory();
@@ -273,7 +303,10 @@ final class PlanEditor {
     }
   }
 
-  /** What keeps drones and goals from being other ones; empty if nothing does. */
+  /**
+   * Returns the reason why a change to drones or goals must be refused; empty if there is none.
+   * Changes to starts, pads and obstacles are always allowed.
+   */
   private Optional<PlacementProblem> refusal(FloorPlan wanted) {
     boolean others = !wanted.origins().equals(plan().origins());
     if (!others && wanted.challenge().equals(plan().challenge())) {
@@ -284,7 +317,10 @@ final class PlanEditor {
     return flying ? Optional.of(PlacementProblem.WHILE_FLYING) : Optional.empty();
   }
 
-  /** Carries it out; whether it was done. Other drones need a window that is opened anew. */
+  /**
+   * Sends a change and returns whether it was carried out. A change to the drones opens a new
+   * window, unless only their starts change.
+   */
   private boolean send(FloorPlan wanted) {
     FloorPlan before = plan();
     if (!wanted.origins().equals(before.origins())) {
@@ -306,7 +342,7 @@ final class PlanEditor {
     return true;
   }
 
-  /** Asks it of the drones, which go back to their starts if they have flown. */
+  /** Sets the challenge. If any drone has flown, all drones return to their starts. */
   private void ask(Challenge challenge) {
     if (challenge.equals(scenario.challenge())) {
       return;

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a plan remembers beside what is in the room, for another plan that goes on with it in a
- * window that was opened anew.
+ * The state of the plan editor, except for the items in the room. It is passed on to the plan of a
+ * new window.
  */
 public final class PlanEditorState {
 
@@ -14,7 +14,9 @@ public final class PlanEditorState {
   private final Optional<PlanViewport> part;
 
   /**
-   * @param part of the room that is shown; empty for all of it
+   * Creates a state.
+   *
+   * @param part the visible part of the room; empty for the whole room
    */
   PlanEditorState(UndoStack history, List<PlanItem> selection, Optional<PlanViewport> part) {
     this.history = history;

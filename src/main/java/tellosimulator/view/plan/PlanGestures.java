@@ -9,16 +9,15 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
-import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 
 /**
- * What mouse and keys do in the plan: drag, turn, nudge, delete, undo; beside all items the mouse
- * moves the plan. For the JavaFX thread.
+ * Handles mouse and keys on the plan: drag, turn, nudge, delete, undo. Dragging the empty floor
+ * pans the plan. Confined to the JavaFX thread.
  */
 final class PlanGestures {
 
-  /** Distance between the places at which things come to rest [m]. Decided: the 5 cm. */
+  /** Distance between the positions to which items snap without Ctrl or Alt [m]. Decided. */
   private static final double GRID_STEP = 0.05;
 
   private static final double FINE_RASTER = 0.01;
@@ -26,17 +25,20 @@ final class PlanGestures {
   private static final double TURN = Math.toRadians(15);
   private static final double FINE_TURN = Math.toRadians(1);
 
-  /** A mouse that has moved less clicks [px]. Decided: what a hand trembles. */
+  /**
+   * Mouse movement up to which a gesture is a click rather than a drag [px]. Decided: tolerates a
+   * trembling hand.
+   */
   private static final double STILL = 4;
 
-  /** By how much a notch of the wheel enlarges the plan, as a logarithm for each pixel. */
+  /** Natural logarithm of the zoom factor per pixel of scrolling. */
   private static final double ZOOM = 0.0025;
 
   private final PlanEditor editor;
   private final PlanView view;
   private final Actions actions;
 
-  /** From the item's place to where the mouse took hold of it [m]. */
+  /** Offset from the item's place to the point where the mouse grabbed it [m]. */
   private Vec3 grip = Vec3.ZERO;
 
   private Vec3 measuredFrom = Vec3.ZERO;
@@ -47,11 +49,11 @@ final class PlanGestures {
   private double lastY;
 
   /**
-   * What gestures do outside of the plan.
+   * The effects that gestures have outside the plan.
    *
-   * @param leave closes it
-   * @param edit goes to the properties of the selected item
-   * @param measuring whether the mouse measures
+   * @param leave closes the plan
+   * @param edit opens the properties of the selected item
+   * @param measuring whether dragging measures a distance
    */
   record Actions(Runnable leave, Runnable edit, BooleanProperty measuring) {}
 
@@ -61,7 +63,7 @@ final class PlanGestures {
     this.actions = actions;
   }
 
-  /** Lets mouse and keys act from now on. */
+  /** Installs the handlers. */
   static void install(PlanEditor editor, PlanView view, Actions actions) {
     PlanGestures gestures = new PlanGestures(editor, view, actions);
     actions.measuring().subscribe(on -> view.show(Optional.<MeasuredDistance>empty()));
@@ -99,7 +101,7 @@ final class PlanGestures {
     } else if (more) {
       editor.toggle(item.get());
     } else if (editor.selection().contains(item.get())) {
-      editor.toggle(item.get()); // it comes last
+      editor.toggle(item.get()); // adds the item again at the end
       editor.toggle(item.get());
     } else {
       editor.select(List.of(item.get()));
@@ -117,13 +119,12 @@ final class PlanGestures {
       Vec3 to = snapped(under(event), FINE_RASTER);
       view.show(Optional.of(new MeasuredDistance(measuredFrom, to)));
     } else if (dragging && Math.hypot(event.getX() - pressedX, event.getY() - pressedY) < STILL) {
-      event.consume(); // the panel that opens moves the plan under the mouse
+      event.consume(); // the panel that opens on selection may move the plan
       return;
     } else if (dragging && editor.selected().isPresent()) {
       pressedX = Double.NEGATIVE_INFINITY;
-      Placement placement = editor.plan().placement(editor.selected().get());
-      editor.place(
-          placement.at(snapped(under(event).minus(grip), free(event) ? FINE_RASTER : GRID_STEP)));
+      Vec3 place = snapped(under(event).minus(grip), free(event) ? FINE_RASTER : GRID_STEP);
+      editor.place(now -> now.at(place));
     } else {
       view.show(view.scale().dragged(event.getX() - lastX, event.getY() - lastY));
     }
@@ -209,25 +210,12 @@ final class PlanGestures {
   }
 
   private void nudge(Vec3 step) {
-    editor
-        .selected()
-        .ifPresent(
-            item -> {
-              Placement placement = editor.plan().placement(item);
-              editor.place(placement.at(placement.place().plus(step)));
-            });
+    editor.place(now -> now.at(now.place().plus(step)));
   }
 
-  /** To the next multiple of the angle. */
+  /** Turns the selected item to the next multiple of the angle. */
   private void turn(double angle) {
-    editor
-        .selected()
-        .ifPresent(
-            item -> {
-              Placement placement = editor.plan().placement(item);
-              double next = Math.rint(placement.heading() / angle + 1) * angle;
-              editor.place(new Placement(placement.place(), Frames.wrapped(next)));
-            });
+    editor.place(now -> now.turnedTo(Math.rint(now.heading() / angle + 1) * angle));
   }
 
   private Vec3 under(MouseEvent event) {
@@ -239,7 +227,7 @@ final class PlanGestures {
         Math.rint(place.x() / raster) * raster, Math.rint(place.y() / raster) * raster, 0);
   }
 
-  /** Whether a key lets things come to rest anywhere, or nearly so. */
+  /** Returns whether a modifier key switches to the fine grid. */
   private static boolean free(InputEvent event) {
     if (event instanceof MouseEvent mouse) {
       return mouse.isControlDown() || mouse.isAltDown();

@@ -1,14 +1,12 @@
 package tellosimulator.view.plan;
 
 import tellosimulator.math.Frames;
-import tellosimulator.view.plan.PlanItem.GoalItem;
-import tellosimulator.view.plan.PlanItem.ObstacleItem;
-import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
-import tellosimulator.world.Shape;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
 
-/** What an item of the plan is and where, in words; lengths in centimetres. */
+/** Describes an item of the plan and its position in words. Lengths are in centimetres. */
 final class PlanItemText {
 
   private final Language language;
@@ -19,48 +17,45 @@ final class PlanItemText {
     this.messages = messages;
   }
 
-  /** In the present language. */
+  /** Returns the description in the current language. */
   String of(FloorPlan plan, PlanItem item) {
+    return item.match(
+        start -> placed(plan, start, messages.now("piece-start", start.drone())),
+        pad ->
+            plan.pad(pad).surface().wall()
+                ? hanging(plan.pad(pad))
+                : placed(plan, pad, messages.now("piece-pad", pad.id())),
+        obstacle -> placed(plan, obstacle, description(plan.obstacle(obstacle))),
+        goal ->
+            messages.now("piece-goal", goal.index() + 1, language.say(plan.goal(goal).phrase())));
+  }
+
+  private String hanging(MissionPad pad) {
+    return messages.now(
+        "piece-hanging",
+        pad.id(),
+        language.say(pad.surface().phrase()),
+        cm(pad.along()),
+        cm(pad.height()));
+  }
+
+  private String placed(FloorPlan plan, PlanItem item, String name) {
     Placement placement = plan.placement(item);
-    if (item instanceof Pad pad && plan.pad(pad).surface().wall()) {
-      return messages.now(
-          "piece-hanging",
-          pad.id(),
-          language.say(plan.pad(pad).surface().phrase()),
-          cm(plan.pad(pad).along()),
-          cm(plan.pad(pad).height()));
-    }
-    if (item instanceof GoalItem goal) {
-      return messages.now("piece-goal", goal.index() + 1, language.say(plan.goal(goal).phrase()));
-    }
     return messages.now(
         "piece",
-        name(plan, item),
+        name,
         cm(placement.place().x()),
         cm(placement.place().y()),
         Math.round(Math.toDegrees(placement.heading())));
   }
 
-  private String name(FloorPlan plan, PlanItem item) {
-    if (item instanceof Pad pad) {
-      return messages.now("piece-pad", pad.id());
-    } else if (item instanceof ObstacleItem body) {
-      String name = language.say(plan.obstacle(body).label());
-      return messages.now("piece-thing", name, size(plan.obstacle(body).shape()));
-    }
-    return messages.now("piece-start", ((PlanItem.Start) item).drone());
-  }
-
-  private String size(Shape shape) {
-    if (shape instanceof Shape.Box box) {
-      return messages.now("size-box", cm(box.depth()), cm(box.width()), cm(box.height()));
-    } else if (shape instanceof Shape.Cylinder cylinder) {
-      return messages.now("size-cylinder", cm(2 * cylinder.radius()), cm(cylinder.height()));
-    } else if (shape instanceof Shape.Ring ring) {
-      return messages.now("size-ring", cm(2 * ring.radius()), cm(ring.middle()));
-    }
-    Shape.Frame frame = (Shape.Frame) shape;
-    return messages.now("size-frame", cm(frame.width()), cm(frame.opening()), cm(frame.middle()));
+  private String description(Obstacle obstacle) {
+    ShapeLengths shape = ShapeLengths.of(obstacle.shape());
+    Object[] lengths = shape.lengths().stream().map(length -> cm(length.meters())).toArray();
+    return messages.now(
+        "piece-thing",
+        language.say(obstacle.label()),
+        messages.now("size-" + shape.kind(), lengths));
   }
 
   private static long cm(double meters) {

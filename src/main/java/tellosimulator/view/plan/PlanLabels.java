@@ -1,5 +1,6 @@
 package tellosimulator.view.plan;
 
+import java.util.Optional;
 import javafx.geometry.Rectangle2D;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
@@ -10,77 +11,91 @@ import javafx.scene.text.Text;
 import javafx.scene.text.TextAlignment;
 import tellosimulator.math.Frames;
 
-/** What is written on the plan, all of it in bold. For the JavaFX thread. */
+/** Draws the texts of the plan, all in bold. Confined to the JavaFX thread. */
 final class PlanLabels {
 
-  /** Usual size of text [px]. */
+  /** Default font size [px]. */
   static final double SIZE = 12;
 
   static final Color INK = Color.web("#2b2b2b");
 
-  /** The color of the floor, a little of which is around what is written on things. */
-  private static final Color HALO = Color.web("#f4f0e8", 0.75);
+  /**
+   * Colour of the plates behind labels: the colour of the floor, but translucent. Decided: opaque
+   * enough that, even on black, the contrast with {@link #INK} is at least 7:1.
+   */
+  private static final Color PLATE = Color.web("#f4f0e8", 0.8);
 
-  /** Height of a line [px]. */
+  /** Height of a plate [px]. */
   private static final double LINE = 14;
+
+  /** Margin of a plate on either side of the text [px]. */
+  private static final double MARGIN = 3;
 
   private final GraphicsContext pen;
   private final LabelSpace space = new LabelSpace();
-  private double left;
-  private double right = Double.MAX_VALUE;
+  private Rectangle2D walls = Rectangle2D.EMPTY;
 
   PlanLabels(GraphicsContext pen) {
     this.pen = pen;
   }
 
-  /** A length as on the plan [cm]. */
+  /** Formats a length in centimetres. */
   static String centimeters(double meters) {
     return Long.toString(Math.round(Frames.centimeters(meters)));
   }
 
-  /** A height as on the plan. */
+  /** Formats a height in centimetres. */
   static String height(double meters) {
     return "z " + centimeters(meters);
   }
 
-  /** Writes in the present color, with its middle at a point. */
+  /** Draws centred text in the current colour. */
   void write(String text, double x, double y, double size) {
-    prepare(size, TextAlignment.CENTER);
+    prepare(size);
     pen.fillText(text, x, y);
   }
 
-  /** Begins a drawing without labels, which must be between the walls at the left and right. */
-  void clear(double newLeft, double newRight) {
+  /**
+   * Frees the space of all labels before the plan is redrawn.
+   *
+   * @param newWalls the area inside the walls, which new labels must not leave [px]
+   */
+  void clear(Rectangle2D newWalls) {
     space.clear();
-    left = newLeft;
-    right = newRight;
+    walls = newWalls;
   }
 
-  /** Writes what can be read on everything, below what is written there already. */
-  void writeInFront(String text, double wantedX, double wantedY, TextAlignment alignment) {
-    prepare(SIZE, alignment);
-    Rectangle2D wanted = bounds(text, wantedX, wantedY, alignment);
-    double aside = Math.max(0, left - wanted.getMinX()) - Math.max(0, wanted.getMaxX() - right);
-    double x = wantedX + aside;
-    double y = wantedY + space.take(bounds(text, x, wantedY, alignment));
-    pen.setStroke(HALO);
-    pen.setLineWidth(3);
-    pen.strokeText(text, x, y);
-    pen.setFill(INK);
-    pen.fillText(text, x, y);
+  /** Returns the space in which labels are placed. */
+  LabelSpace space() {
+    return space;
   }
 
-  private Rectangle2D bounds(String text, double x, double y, TextAlignment alignment) {
-    Text measured = new Text(text);
-    measured.setFont(pen.getFont());
-    double width = measured.getLayoutBounds().getWidth();
-    double start = alignment == TextAlignment.CENTER ? x - width / 2 : x;
-    return new Rectangle2D(start, y - LINE / 2, width, LINE);
+  /**
+   * Draws one of several texts near a point: the first one for which there is space. A plate makes
+   * the text readable on any background. Draws nothing if there is no space for any of them.
+   */
+  void writeInFront(double x, double y, String... texts) {
+    prepare(SIZE);
+    for (String text : texts) {
+      Text measured = new Text(text);
+      measured.setFont(pen.getFont());
+      double width = measured.getLayoutBounds().getWidth() + 2 * MARGIN;
+      Optional<Rectangle2D> place =
+          space.take(new Rectangle2D(x - width / 2, y - LINE / 2, width, LINE), walls);
+      if (place.isPresent()) {
+        Rectangle2D plate = place.get();
+        pen.setFill(PLATE);
+        pen.fillRoundRect(plate.getMinX(), plate.getMinY(), width, LINE, 6, 6);
+        pen.setFill(INK);
+        pen.fillText(text, plate.getMinX() + width / 2, plate.getMinY() + LINE / 2);
+        return;
+      }
+    }
   }
 
-  private void prepare(double size, TextAlignment alignment) {
+  private void prepare(double size) {
     pen.setFont(Font.font("System", FontWeight.BOLD, size));
-    pen.setTextAlign(alignment);
+    pen.setTextAlign(TextAlignment.CENTER);
     pen.setTextBaseline(VPos.CENTER);
   }
 }

@@ -6,10 +6,9 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.input.ContextMenuEvent;
-import tellosimulator.math.Frames;
 import tellosimulator.view.text.Messages;
 
-/** The context menu of the plan, for the selected items. For the JavaFX thread. */
+/** The context menu of the plan, for the selected items. Confined to the JavaFX thread. */
 final class PlanMenu {
 
   private static final double QUARTER = Math.PI / 2;
@@ -28,9 +27,9 @@ final class PlanMenu {
   }
 
   /**
-   * Opens on the right button of the mouse, and on the menu key, from now on.
+   * Installs the menu. The right mouse button and the menu key open it.
    *
-   * @param edit goes to the properties of the selected item
+   * @param edit opens the properties of the selected item
    */
   static void install(PlanEditor editor, PlanView view, Messages messages, Runnable edit) {
     PlanMenu menu = new PlanMenu(editor, view, messages);
@@ -83,12 +82,6 @@ final class PlanMenu {
   }
 
   private void turn(double angle) {
-    editor
-        .selected()
-        .ifPresent(
-            item -> {
-              Placement now = editor.plan().placement(item);
-              editor.place(new Placement(now.place(), Frames.wrapped(now.heading() + angle)));
-            });
+    editor.place(now -> now.turnedTo(now.heading() + angle));
   }
 }

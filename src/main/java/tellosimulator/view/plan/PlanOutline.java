@@ -4,48 +4,49 @@ import java.util.List;
 import java.util.stream.Stream;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
-import tellosimulator.world.Footprint;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Shape;
 
 /**
- * What something covers of the floor, seen from above: a circle or a rectangle, turned with its
- * placement. Immutable.
+ * The area that an item covers on the floor: a circle, or a rectangle that turns with the item.
+ * Immutable.
  *
- * @param depth along its x axis [m]
- * @param width along its y axis [m]
- * @param round whether it is a circle
+ * @param depth the extent along the item's x axis [m]
+ * @param width the extent along the item's y axis [m]
+ * @param round whether the outline is a circle
  */
 record PlanOutline(double depth, double width, boolean round) {
 
-  /** Thickness with which a hanging mission pad is drawn [m]. Decided: to be seen and caught. */
+  /**
+   * Thickness of a hanging mission pad in the plan [m]. Decided: large enough to be seen and
+   * grabbed.
+   */
   static final double HANGING = 0.04;
 
   static PlanOutline circle(double radius) {
     return new PlanOutline(2 * radius, 2 * radius, true);
   }
 
-  /** Of a drone. */
+  /** Returns the outline of a drone. */
   static PlanOutline ofDrone() {
     return circle(DroneSpec.COLLIDER.radius());
   }
 
-  /** Of a mission pad; one that hangs is turned to its wall. */
+  /** Returns the outline of a mission pad; a hanging one is seen edge-on. */
   static PlanOutline of(MissionPad pad) {
     return new PlanOutline(
         pad.surface().wall() ? HANGING : MissionPad.EDGE, MissionPad.EDGE, false);
   }
 
-  /** Of an obstacle. */
+  /** Returns the outline of an obstacle. */
   static PlanOutline of(Shape shape) {
-    Vec3 size = Footprint.size(shape);
-    return new PlanOutline(size.x(), size.y(), shape instanceof Shape.Cylinder);
+    return new PlanOutline(shape.size().x(), shape.size().y(), shape.round());
   }
 
   /**
-   * Whether it is there at a place of the floor.
+   * Returns whether the outline covers a place on the floor.
    *
-   * @param margin by how much it is taken larger [m]
+   * @param margin the distance by which the outline is enlarged [m]
    */
   boolean covers(Vec3 place, Placement placement, double margin) {
     Vec3 own = placement.toOwn(place);
@@ -55,12 +56,15 @@ record PlanOutline(double depth, double width, boolean round) {
     return Math.abs(own.x()) <= depth / 2 + margin && Math.abs(own.y()) <= width / 2 + margin;
   }
 
-  /** How far it reaches from its middle [m]. */
+  /** Returns the maximum distance of the outline from its middle [m]. */
   double reach() {
     return round ? width / 2 : Math.hypot(depth, width) / 2;
   }
 
-  /** The corners of a rectangle, or the ends of a circle along the room's axes. */
+  /**
+   * Returns points of the outline in the room frame [m]: the corners of a rectangle, or the four
+   * points of a circle in the directions of the room's axes.
+   */
   List<Vec3> corners(Placement placement) {
     double x = depth / 2;
     double y = width / 2;

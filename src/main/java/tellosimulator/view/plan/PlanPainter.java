@@ -1,17 +1,20 @@
 package tellosimulator.view.plan;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javafx.geometry.Point2D;
+import javafx.geometry.Rectangle2D;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
-import javafx.scene.text.TextAlignment;
-import tellosimulator.goal.GoalMark;
+import tellosimulator.goal.PlacedGoal;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
-import tellosimulator.scenery.overlay.ContactMark;
+import tellosimulator.scenery.overlay.ContactDecal;
 import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
@@ -24,7 +27,7 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Wind;
 
-/** Draws a plan: the paper is light in every theme, as paper is. For the JavaFX thread. */
+/** Draws a plan, on a light background in every theme. Confined to the JavaFX thread. */
 final class PlanPainter {
 
   private static final Color FLOOR = Color.web("#f4f0e8");
@@ -36,25 +39,33 @@ final class PlanPainter {
   private static final Color WRONG = Color.web("#cf222e");
   private static final Color WIND = Color.web("#0969da", 0.35);
 
-  /** Lines that are nearer to each other are left out [px]. */
+  /** Minimum distance between grid lines [px]; denser lines are omitted. */
   private static final double NARROWEST_GRID = 7;
 
-  /** At each how many lines of the grid there is a number, if there is room for them. */
+  /**
+   * Candidate intervals between numbered grid lines, counted in grid lines. The smallest one that
+   * leaves enough space is used.
+   */
   private static final int[] NUMBERED_LINES = {1, 2, 5, 10, 20, 50};
 
-  /** Numbers along the walls are at least this far apart [px]. Decided: four digits and a gap. */
+  /** Minimum distance between numbers along the walls [px]. Decided: fits four digits and a gap. */
   private static final double NARROWEST_NUMBERS = 44;
 
-  /** How far the name of a gate is beside the arrow through it [px]. Decided: by eye. */
-  private static final double BESIDE_ARROW = 8;
+  /** Distance between a pad and the label with its number [px]. Decided: by eye. */
+  private static final double BESIDE_PAD = 16;
 
-  /** Things that are smaller have no name [px]. */
+  /** Number of characters in a shortened name, without the ellipsis. */
+  private static final int SHORT = 8;
+
+  /** Size below which items are drawn without a name [px]. */
   private static final double SMALLEST_NAMED = 34;
 
-  /** What is smaller is drawn this large, so that it can be seen and caught [px]. */
+  /** Minimum drawn size of an item, so that it can be seen and grabbed [px]. */
   static final double SMALLEST = 7;
 
-  /** From a start's rim to the middle of the ring around that of the chosen drone [px]. */
+  /**
+   * Distance from a start's rim to the centre line of the ring that marks the selected drone [px].
+   */
   static final double CHOSEN_GAP = 4;
 
   private static final double CHOSEN_LINE = 3;
@@ -63,38 +74,42 @@ final class PlanPainter {
   private final IntFunction<Color> colors;
   private final Function<Phrase, String> said;
   private final PlanLabels labels;
-  private final MarkPainter marks;
+  private final OverlayPainter marks;
   private PlanViewport scale;
 
   /**
-   * @param colors gives that of the drone of a number
-   * @param said puts names into the language of the window
+   * Creates a painter.
+   *
+   * @param colors returns the colour of a drone, given its number
+   * @param said translates a phrase into the window's language
    */
   PlanPainter(GraphicsContext pen, IntFunction<Color> colors, Function<Phrase, String> said) {
     this.pen = pen;
     this.colors = colors;
     this.said = said;
     labels = new PlanLabels(pen);
-    marks = new MarkPainter(pen, colors);
+    marks = new OverlayPainter(pen, labels, colors);
   }
 
   /**
-   * What is drawn beside what one can place.
+   * The content to draw besides the placed items.
    *
-   * @param chosen number of the drone that is chosen among several, whose start has a bold ring
-   * @param front what is written at the front wall
+   * @param chosen the number of the selected drone, whose start gets a bold ring; empty if there is
+   *     only one drone
+   * @param front the caption of the front wall
    */
   record Remarks(
-      List<GoalMark> goals, List<ContactMark> contacts, OptionalInt chosen, String front) {
+      List<PlacedGoal> goals, List<ContactDecal> contacts, OptionalInt chosen, String front) {
 
     static final Remarks NONE = new Remarks(List.of(), List.of(), OptionalInt.empty(), "");
   }
 
-  /** Draws everything anew. */
+  /**
+   * Redraws the plan, except for the marks of selected items, the labels of items and a measured
+   * distance.
+   */
   void paint(FloorPlan plan, PlanViewport newScale, Remarks remarks) {
     scale = newScale;
-    Vec3 left = new Vec3(0, plan.arena().room().width() / 2, 0);
-    labels.clear(scale.screenX(left), scale.screenX(left.times(-1)));
     pen.clearRect(0, 0, scale.width(), scale.height());
     paintRoom(plan.arena().room(), plan.arena().decor().grid());
     pen.setFill(WALL);
@@ -110,7 +125,7 @@ final class PlanPainter {
       if (item instanceof Start start && remarks.chosen.equals(OptionalInt.of(start.drone()))) {
         choose(start.drone(), plan.placement(start));
       }
-      if (!(item instanceof GoalItem)) { // those are among the remarks
+      if (!(item instanceof GoalItem)) { // goals are drawn with the remarks
         paint(plan, item);
       }
     }
@@ -123,8 +138,10 @@ final class PlanPainter {
     double top = scale.screenY(corner);
     double width = room.width() * scale.pixels();
     double height = room.depth() * scale.pixels();
+    labels.clear(new Rectangle2D(left, top, width, height));
+    double margin = PlanViewport.MARGIN;
     pen.setFill(FLOOR);
-    pen.fillRect(left, top, width, height);
+    pen.fillRect(left - margin, top - margin, width + 2 * margin, height + 2 * margin);
     pen.setLineWidth(1);
     if (grid * scale.pixels() >= NARROWEST_GRID) {
       pen.setStroke(GRID);
@@ -146,17 +163,17 @@ final class PlanPainter {
     paintAxes(room, grid, left, top, top + height);
   }
 
-  /** The room's coordinates along the left and the back wall, at lines of the grid [cm]. */
+  /** Draws the room's coordinates [cm] along the left and the back wall, at grid lines. */
   private void paintAxes(Room room, double grid, double left, double top, double bottom) {
     double step = numberStep(grid, scale.pixels());
     pen.setFill(WALL);
-    labels.write("x", left - 18, top - 12, PlanLabels.SIZE);
-    labels.write("y", left - 18, bottom + 14, PlanLabels.SIZE);
+    labels.write("x", left - 20, top - 12, PlanLabels.SIZE);
+    labels.write("y", left - 20, bottom + 14, PlanLabels.SIZE);
     int mostX = (int) Math.floor(room.depth() / 2 / step + 1e-9);
     for (int i = -mostX; i <= mostX; i++) {
       labels.write(
           PlanLabels.centimeters(i * step),
-          left - 18,
+          left - 20,
           scale.screenY(new Vec3(i * step, 0, 0)),
           PlanLabels.SIZE);
     }
@@ -171,10 +188,10 @@ final class PlanPainter {
   }
 
   /**
-   * From number to number along the walls [m].
+   * Returns the distance between numbers along the walls [m].
    *
-   * @param grid from line to line [m]
-   * @param pixels of a metre
+   * @param grid the distance between grid lines [m]
+   * @param pixels the scale [pixels per metre]
    */
   static double numberStep(double grid, double pixels) {
     int lines =
@@ -185,20 +202,19 @@ final class PlanPainter {
     return lines * grid;
   }
 
-  /** Draws a distance with its length. */
+  /** Draws a measured distance and its length. */
   void paint(MeasuredDistance measured) {
-    double fromX = scale.screenX(measured.from());
-    double fromY = scale.screenY(measured.from());
-    double toX = scale.screenX(measured.to());
-    double toY = scale.screenY(measured.to());
+    Point2D from = scale.screen(measured.from());
+    Point2D to = scale.screen(measured.to());
     pen.setStroke(CHOSEN);
+    pen.setFill(CHOSEN);
     pen.setLineWidth(2);
-    pen.strokeLine(fromX, fromY, toX, toY);
-    for (double[] end : new double[][] {{fromX, fromY}, {toX, toY}}) {
-      pen.setFill(CHOSEN);
-      pen.fillOval(end[0] - 3, end[1] - 3, 6, 6);
+    pen.strokeLine(from.getX(), from.getY(), to.getX(), to.getY());
+    for (Point2D end : List.of(from, to)) {
+      pen.fillOval(end.getX() - 3, end.getY() - 3, 6, 6);
     }
-    labels.write(measured.text(), (fromX + toX) / 2, (fromY + toY) / 2 - 12, 13);
+    Point2D middle = from.midpoint(to);
+    labels.writeInFront(middle.getX(), middle.getY() - 12, measured.text());
   }
 
   private void upright(Vec3 place, double top, double height) {
@@ -211,7 +227,7 @@ final class PlanPainter {
     pen.strokeLine(left, y, left + width, y);
   }
 
-  /** An arrow in the lower left corner. */
+  /** Draws the wind as an arrow in the lower left corner. */
   private void paintWind(Wind wind) {
     Vec3 mean = wind.mean().horizontal();
     if (mean.norm() < 0.005) {
@@ -235,19 +251,38 @@ final class PlanPainter {
     if (item instanceof ObstacleItem body) {
       paint(plan.obstacle(body), outline);
     } else if (item instanceof Pad pad) {
-      paint(plan.pad(pad), outline);
+      paint(plan.pad(pad), outline, labeled(plan, pad));
     } else {
       paintStart(((Start) item).drone());
     }
     pen.restore();
-    if (item instanceof ObstacleItem body) {
-      name(plan.obstacle(body), outline, placement);
-    } else if (item instanceof Start start) {
+    if (item instanceof Start start) {
       number(start.drone(), placement);
+    } else if (item instanceof Pad) {
+      labels.space().block(scale.screen(placement.place()), outline.reach() * scale.pixels());
     }
   }
 
-  /** In the obstacle's frame: its x axis points up. */
+  /** Writes the labels of items where there is space. Selected items come first. */
+  void label(FloorPlan plan, List<PlanItem> selected) {
+    for (PlanItem item :
+        Stream.concat(selected.stream(), plan.items().stream()).distinct().toList()) {
+      if (item instanceof ObstacleItem body) {
+        name(plan.obstacle(body), plan.outline(item), plan.placement(item));
+      } else if (item instanceof Pad pad && labeled(plan, pad)) {
+        Vec3 inside = plan.placement(pad).toRoom(new Vec3(scale.meters(BESIDE_PAD), 0, 0));
+        labels.writeInFront(
+            scale.screenX(inside), scale.screenY(inside), Integer.toString(pad.id()));
+      }
+    }
+  }
+
+  /** Returns the goal whose number is drawn at a point of the screen. */
+  Optional<PlacedGoal> tagged(double x, double y) {
+    return marks.tagged(x, y);
+  }
+
+  /** Draws an obstacle in its own frame. The x axis of this frame points up. */
   private void paint(Obstacle obstacle, PlanOutline outline) {
     int rgb = obstacle.appearance().rgb();
     Color fill = Color.rgb(rgb >> 16 & 0xff, rgb >> 8 & 0xff, rgb & 0xff);
@@ -256,7 +291,7 @@ final class PlanPainter {
     pen.setLineWidth(1);
     shape(outline);
     if (obstacle.shape() instanceof Shape.Gate) {
-      double reach = Math.max(10, 0.25 * scale.pixels());
+      double reach = arrow();
       pen.setLineWidth(1.5);
       pen.setLineDashes(3, 3);
       pen.strokeLine(0, reach, 0, -reach);
@@ -265,7 +300,18 @@ final class PlanPainter {
     }
   }
 
-  private void paint(MissionPad pad, PlanOutline outline) {
+  /**
+   * Returns whether the number of a pad is a label beside it, because the pad hangs on a wall or a
+   * drone starts on it.
+   */
+  private static boolean labeled(FloorPlan plan, Pad pad) {
+    Placement placement = plan.placement(pad);
+    return plan.pad(pad).surface().wall()
+        || plan.starts().stream()
+            .anyMatch(start -> plan.outline(pad).covers(start.position(), placement, 0));
+  }
+
+  private void paint(MissionPad pad, PlanOutline outline, boolean labeled) {
     double width = size(outline.width());
     double depth = size(outline.depth());
     pen.setFill(Color.WHITE);
@@ -273,17 +319,18 @@ final class PlanPainter {
     pen.setLineWidth(1);
     pen.fillRect(-width / 2, -depth / 2, width, depth);
     pen.strokeRect(-width / 2, -depth / 2, width, depth);
-    pen.setFill(INK);
     if (pad.surface().wall()) {
-      labels.write(Integer.toString(pad.id()), 0, -depth - 4, 11);
       return;
     }
+    pen.setFill(INK);
     double tip = depth / 2 * 0.88;
     pen.fillPolygon(
         new double[] {0, width * 0.2, -width * 0.2},
         new double[] {-tip, -tip * 0.35, -tip * 0.35},
         3);
-    labels.write(Integer.toString(pad.id()), 0, depth * 0.16, Math.max(8, depth * 0.5));
+    if (!labeled) {
+      labels.write(Integer.toString(pad.id()), 0, depth * 0.16, Math.max(8, depth * 0.5));
+    }
   }
 
   private void paintStart(int drone) {
@@ -300,11 +347,15 @@ final class PlanPainter {
     pen.strokeOval(-radius, -radius, 2 * radius, 2 * radius);
   }
 
-  /** A ring around a start, below it, as the drone has it in the room. */
+  /**
+   * Draws a ring around a start, like the ring around the drone in the 3D scene. The start itself
+   * is drawn over it.
+   */
   private void choose(int drone, Placement placement) {
     double radius = startRadius() + CHOSEN_GAP;
     double x = scale.screenX(placement.place()) - radius;
     double y = scale.screenY(placement.place()) - radius;
+    labels.space().blockRim(scale.screen(placement.place()), radius);
     pen.setStroke(Color.WHITE);
     pen.setLineWidth(CHOSEN_LINE + 4);
     pen.strokeOval(x, y, 2 * radius, 2 * radius);
@@ -319,6 +370,9 @@ final class PlanPainter {
 
   private void number(int drone, Placement placement) {
     double radius = startRadius();
+    Vec3 nose = placement.toRoom(new Vec3(scale.meters(1.3 * radius), 0, 0));
+    labels.space().block(scale.screen(placement.place()), radius);
+    labels.space().block(scale.screen(nose), 0.5 * radius);
     pen.setFill(DroneColors.inkOn(colors.apply(drone)));
     labels.write(
         Integer.toString(drone),
@@ -335,18 +389,22 @@ final class PlanPainter {
     boolean below = size(Math.min(outline.width(), outline.depth())) < 22;
     double lowest =
         outline.corners(placement).stream().mapToDouble(scale::screenY).max().orElseThrow();
-    double x = scale.screenX(placement.place());
-    double y = below ? lowest + 10 : scale.screenY(placement.place());
-    if (obstacle.shape() instanceof Shape.Gate) {
-      labels.writeInFront(
-          said.apply(obstacle.label()) + height(obstacle), x + BESIDE_ARROW, y, TextAlignment.LEFT);
-    } else {
-      labels.writeInFront(
-          said.apply(obstacle.label()) + height(obstacle), x, y, TextAlignment.CENTER);
-    }
+    double gap = obstacle.shape() instanceof Shape.Gate ? arrow() + 8 : 10;
+    double y = below ? lowest + gap : scale.screenY(placement.place());
+    String name = said.apply(obstacle.label());
+    String shortened = name.length() > SHORT ? name.substring(0, SHORT) + "…" : name;
+    labels.writeInFront(scale.screenX(placement.place()), y, name + height(obstacle), shortened);
   }
 
-  /** How high the middle of a gate's opening is, or else the top, and the bottom if it hangs. */
+  /** Returns half the length of a gate's arrow [px]. */
+  private double arrow() {
+    return Math.max(10, 0.25 * scale.pixels());
+  }
+
+  /**
+   * Formats the height of the middle of a gate's opening, or of the top of any other obstacle. For
+   * an obstacle that does not stand on the floor, the height of its bottom is included.
+   */
   static String height(Obstacle obstacle) {
     double foot = obstacle.foot().z();
     if (obstacle.shape() instanceof Shape.Gate gate) {
@@ -369,9 +427,9 @@ final class PlanPainter {
   }
 
   /**
-   * Marks an item.
+   * Marks a selected item.
    *
-   * @param wrong whether it cannot go where it is wanted
+   * @param wrong whether the last change was refused; the mark is then red
    */
   void mark(FloorPlan plan, PlanItem item, boolean wrong) {
     Placement placement = plan.placement(item);

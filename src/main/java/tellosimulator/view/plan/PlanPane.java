@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.IntFunction;
 import javafx.beans.binding.Bindings;
-import javafx.beans.binding.BooleanBinding;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.value.ObservableValue;
@@ -29,7 +28,7 @@ import javafx.scene.paint.Color;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
-import tellosimulator.goal.GoalMark;
+import tellosimulator.goal.PlacedGoal;
 import tellosimulator.goal.Progress;
 import tellosimulator.math.Vec3;
 import tellosimulator.view.drone.DroneColors;
@@ -39,8 +38,8 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * The room from above, in which one places drones, mission pads and obstacles with the mouse: a
- * palette, the plan, and a line that says what is chosen. For the JavaFX thread.
+ * The plan editor: a palette, a plan of the room, and a status line about the selection. Users
+ * place drones, mission pads and obstacles with the mouse. Confined to the JavaFX thread.
  */
 public final class PlanPane extends BorderPane {
 
@@ -81,10 +80,10 @@ public final class PlanPane extends BorderPane {
     PlanGestures.install(
         editor, view, new PlanGestures.Actions(() -> shown.set(false), edit, measuring));
     PlanMenu.install(editor, view, messages, edit);
-    context.pulse().onBeat(nanos -> advance());
+    context.ticker().onTick(nanos -> advance());
   }
 
-  /** Whether it is there. */
+  /** Whether the plan is shown. */
   public BooleanProperty shownProperty() {
     return shown;
   }
@@ -108,29 +107,41 @@ public final class PlanPane extends BorderPane {
     status.setId("plan-status");
     status.getStyleClass().add("plan-status");
     status.setMaxWidth(Double.MAX_VALUE);
+    MenuButton goals = palette(new MenuButton(), "add-goal", () -> {});
     for (PaletteItem kind : PaletteItem.values()) {
-      palette.getChildren().add(palette("add-" + kind.word(), () -> additions.add(kind, middle())));
+      if (kind == PaletteItem.REACH) { // the menu with all goals takes the place of the first goal
+        palette.getChildren().add(goals);
+      }
+      if (kind.goal()) {
+        goals.getItems().add(goal(kind));
+      } else {
+        String id = "add-" + kind.word();
+        Button button = palette(new Button(), id, () -> additions.add(kind, middle()));
+        button.disableProperty().bind(missing(kind));
+        palette.getChildren().add(button);
+      }
     }
-    Button pad = palette("add-pad", () -> additions.addPad(middle()));
-    pad.disableProperty().bind(editor.planProperty().map(now -> now.freePadIds().isEmpty()));
-    palette
-        .getChildren()
-        .addAll(pad, goals(), palette("add-drone", () -> additions.addDrone(middle())));
+    ObservableValue<List<PlanItem>> selected = editor.selectionProperty();
     tools
         .getChildren()
         .addAll(
             tool("undo", Feather.CORNER_UP_LEFT, editor::undo, editor.undoableProperty().not()),
             tool("redo", Feather.CORNER_UP_RIGHT, editor::redo, editor.redoableProperty().not()),
-            tool("duplicate", Feather.COPY, additions::duplicate, nothingSelected()),
-            tool("remove", Feather.TRASH_2, editor::remove, nothingToRemove()),
+            tool("duplicate", Feather.COPY, additions::duplicate, selected.map(List::isEmpty)),
+            tool(
+                "remove",
+                Feather.TRASH_2,
+                editor::remove,
+                selected.map(now -> !editor.removable())),
             ruler(),
             tool("whole", Feather.MAXIMIZE_2, view::showWhole, never),
             tool("leave", Feather.X, () -> shown.set(false), never));
   }
 
   /**
-   * When it is shown for the first time. Measured: its parts are a quarter of the window's nodes,
-   * and opening the window would take a quarter longer to style them.
+   * Lays out the parts. Called when the plan is shown for the first time. Measured: a quarter of
+   * the window's nodes belong to the plan; if they were styled when the window opens, opening would
+   * take a quarter longer.
    */
   private void layoutParts() {
     palette.getStyleClass().add("palette");
@@ -187,20 +198,23 @@ public final class PlanPane extends BorderPane {
         : OptionalInt.empty();
   }
 
-  /** The goals as they are planned, which the drones hear of when the mouse lets go. */
-  private List<GoalMark> goalMarks() {
+  /**
+   * Returns the goals of the plan as drawn. During a drag, the drawn goals move with the mouse; the
+   * challenge changes only when the mouse is released.
+   */
+  private List<PlacedGoal> goalMarks() {
     FloorPlan plan = editor.plan();
     Progress now = context.scenario().progressProperty().get();
     boolean asked = now.challenge().equals(plan.challenge());
-    return GoalMark.of(asked ? now : Progress.start(plan.challenge()), plan.arena());
+    return PlacedGoal.of(asked ? now : Progress.start(plan.challenge()), plan.arena());
   }
 
-  /** What it remembers, for a plan that goes on with it. */
+  /** Returns the state to pass to the plan of a new window. */
   public PlanEditorState memory() {
     return new PlanEditorState(editor.history(), editor.selection(), view.part());
   }
 
-  /** Goes on with what another plan remembers. */
+  /** Restores the state of another plan. */
   public void goOn(PlanEditorState memory) {
     editor.goOn(memory.history(), memory.selection());
     memory.part().ifPresent(view::show);
@@ -222,43 +236,31 @@ public final class PlanPane extends BorderPane {
         .orElseGet(() -> messages.now("how-to"));
   }
 
-  private BooleanBinding nothingToRemove() {
-    return Bindings.createBooleanBinding(() -> !editor.removable(), editor.selectionProperty());
-  }
-
-  private BooleanBinding nothingSelected() {
-    return Bindings.createBooleanBinding(
-        () -> editor.selection().isEmpty(), editor.selectionProperty());
-  }
-
-  /** What is in the middle of the plan, where new things go. */
+  /** Returns the place in the middle of the view, where new items are added. */
   private Vec3 middle() {
     return view.scale().place(view.getWidth() / 2, view.getHeight() / 2);
   }
 
-  /** The kinds of goals. */
-  private MenuButton goals() {
-    MenuButton button = new MenuButton("", new FontIcon(Feather.PLUS));
-    button.textProperty().bind(messages.text("add-goal"));
-    button.getStyleClass().add(Styles.SMALL);
-    for (GoalKind kind : GoalKind.values()) {
-      MenuItem item = new MenuItem();
-      item.setId("plan-add-" + kind.word());
-      item.textProperty().bind(messages.text("add-" + kind.word()));
-      item.setOnAction(
-          chosen -> {
-            additions.addGoal(kind, middle());
-            view.requestFocus();
-          });
-      item.disableProperty()
-          .bind(editor.planProperty().map(now -> kind.goal(now, Optional.empty()).isEmpty()));
-      button.getItems().add(item);
-    }
-    return prepared(button, "add-goal", () -> {});
+  private MenuItem goal(PaletteItem kind) {
+    MenuItem item = new MenuItem();
+    item.setId("plan-add-" + kind.word());
+    item.textProperty().bind(messages.text("add-" + kind.word()));
+    item.setOnAction(
+        chosen -> {
+          additions.add(kind, middle());
+          view.requestFocus();
+        });
+    item.disableProperty().bind(missing(kind));
+    return item;
   }
 
-  private Button palette(String id, Runnable action) {
-    Button button = new Button("", new FontIcon(Feather.PLUS));
+  /** Returns whether items of a kind cannot be added at present. */
+  private ObservableValue<Boolean> missing(PaletteItem kind) {
+    return editor.planProperty().map(now -> kind.adding(now, Optional.empty()).isEmpty());
+  }
+
+  private <B extends ButtonBase> B palette(B button, String id, Runnable action) {
+    button.setGraphic(new FontIcon(Feather.PLUS));
     button.textProperty().bind(messages.text(id));
     button.getStyleClass().add(Styles.SMALL);
     return prepared(button, id, action);

@@ -8,36 +8,37 @@ import javafx.scene.AccessibleRole;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.layout.Region;
 import javafx.scene.paint.Color;
-import tellosimulator.goal.Goal;
 import tellosimulator.math.Vec3;
 import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.words.Phrase;
 
-/** The plan itself: all that is in the room, seen from above. For the JavaFX thread. */
+/** The drawing of the room and its items, seen from above. Confined to the JavaFX thread. */
 final class PlanView extends Region {
 
-  /** How far beside an item the mouse still catches it [px]. */
+  /** Distance from an item within which the mouse still hits it [px]. */
   private static final double CATCH = 4;
 
   private final PlanEditor editor;
   private final Canvas canvas = new Canvas();
 
-  /** Lies around it while the keyboard is here. */
+  /** The focus ring. */
   private final Region ring = new Region();
 
   private final PlanPainter painter;
   private PlanViewport scale;
   private Optional<MeasuredDistance> measured = Optional.empty();
 
-  /** Whether all of the room is to be seen, whatever becomes of it. */
+  /** Whether the whole room stays in view, even if the room or the view is resized. */
   private boolean whole = true;
 
   private boolean stale = true;
   private PlanPainter.Remarks remarks = PlanPainter.Remarks.NONE;
 
   /**
-   * @param colors gives that of the drone of a number
-   * @param said puts names into the language of the window
+   * Creates a view.
+   *
+   * @param colors returns the colour of a drone, given its number
+   * @param said translates a phrase into the window's language
    */
   PlanView(PlanEditor editor, IntFunction<Color> colors, Function<Phrase, String> said) {
     this.editor = editor;
@@ -57,7 +58,7 @@ final class PlanView extends Region {
     editor.problemProperty().addListener((property, before, now) -> stale = true);
   }
 
-  /** Draws it anew if something has changed. */
+  /** Redraws the plan if something has changed. */
   void advance(PlanPainter.Remarks newest) {
     stale |= !newest.equals(remarks);
     remarks = newest;
@@ -70,14 +71,14 @@ final class PlanView extends Region {
       stale = false;
       painter.paint(editor.plan(), scale, remarks);
       boolean wrong = editor.problemProperty().get().isPresent();
-      editor.selection().stream()
-          .filter(editor.plan()::has)
-          .forEach(item -> painter.mark(editor.plan(), item, wrong));
+      List<PlanItem> selected = editor.selection().stream().filter(editor.plan()::has).toList();
+      selected.forEach(item -> painter.mark(editor.plan(), item, wrong));
       measured.ifPresent(painter::paint);
+      painter.label(editor.plan(), selected);
     }
   }
 
-  /** The part of the room that is shown; empty for all of it. */
+  /** Returns the visible part of the room; empty for the whole room. */
   Optional<PlanViewport> part() {
     return whole ? Optional.empty() : Optional.of(scale);
   }
@@ -93,22 +94,23 @@ final class PlanView extends Region {
     stale = true;
   }
 
-  /** Shows a distance, or none. */
+  /** Shows a measured distance; empty hides it. */
   void show(Optional<MeasuredDistance> newMeasured) {
     measured = newMeasured;
     stale = true;
   }
 
-  /** Shows all of the room. */
+  /** Shows the whole room. */
   void showWhole() {
     whole = true;
   }
 
-  /** The uppermost item at a point of the screen. */
+  /** Returns the topmost item at a point of the view [px]. */
   Optional<PlanItem> item(double x, double y) {
     FloorPlan plan = editor.plan();
     Optional<PlanItem> tagged =
-        MarkPainter.tagged(remarks.goals(), scale, x, y)
+        painter
+            .tagged(x, y)
             .map(mark -> (PlanItem) new GoalItem(mark.number() - 1))
             .filter(plan::has);
     if (tagged.isPresent()) {
@@ -118,8 +120,7 @@ final class PlanView extends Region {
     List<PlanItem> items = plan.items();
     for (int i = items.size() - 1; i >= 0; i--) {
       PlanItem item = items.get(i);
-      boolean named = item instanceof GoalItem goal && !(plan.goal(goal) instanceof Goal.InRegion);
-      if (!named // the gate or pad is there itself
+      if (!plan.namesAnother(item) // the gate or pad itself is hit instead
           && plan.outline(item).covers(place, plan.placement(item), scale.meters(CATCH))) {
         return Optional.of(item);
       }

@@ -1,32 +1,34 @@
 package tellosimulator.view.plan;
 
+import javafx.geometry.Point2D;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Room;
 
 /**
- * From the floor to the screen: the room's x points up, its y to the left. Immutable.
+ * The transformation from the floor to the screen. The room's x axis points up, and its y axis to
+ * the left. Immutable.
  *
- * @param middle the place of the floor in the middle of the screen [m]
- * @param pixels for a metre
- * @param width of the screen [px]
- * @param height of the screen [px]
+ * @param middle the place on the floor that is in the middle of the screen [m]
+ * @param pixels the scale [pixels per metre]
+ * @param width the width of the screen [px]
+ * @param height the height of the screen [px]
  */
 record PlanViewport(Vec3 middle, double pixels, double width, double height) {
 
-  /** What is left free around the room [px]. */
-  private static final double MARGIN = 34;
+  /** Margin around the room [px]. */
+  static final double MARGIN = 36;
 
-  /** Most pixels for a metre. Decided: a pad as large as a hand. */
+  /** Maximum scale [pixels per metre]. Decided: a mission pad appears as large as a hand. */
   private static final double CLOSEST = 600;
 
-  /** A scale at which all of the room is seen. */
+  /** Returns a viewport that shows the whole room. */
   static PlanViewport whole(Room room, double width, double height) {
     double pixels =
         Math.min((width - 2 * MARGIN) / room.width(), (height - 2 * MARGIN) / room.depth());
     return new PlanViewport(Vec3.ZERO, Math.max(0.1, Math.min(CLOSEST, pixels)), width, height);
   }
 
-  /** The same for a screen of another size. */
+  /** Returns a copy of this viewport for a screen of another size. */
   PlanViewport sized(double newWidth, double newHeight) {
     return new PlanViewport(middle, pixels, newWidth, newHeight);
   }
@@ -39,23 +41,31 @@ record PlanViewport(Vec3 middle, double pixels, double width, double height) {
     return height / 2 - (place.x() - middle.x()) * pixels;
   }
 
-  /** The place of the floor under a point of the screen. */
+  /** Returns the point of the screen at which a place on the floor is shown. */
+  Point2D screen(Vec3 place) {
+    return new Point2D(screenX(place), screenY(place));
+  }
+
+  /** Returns the place on the floor at a point of the screen. */
   Vec3 place(double x, double y) {
     return middle.plus(new Vec3((height / 2 - y) / pixels, (width / 2 - x) / pixels, 0));
   }
 
-  /** What a distance on the screen is on the floor [m]. */
+  /** Converts a distance on the screen to a distance on the floor [m]. */
   double meters(double distance) {
     return distance / pixels;
   }
 
-  /** The same moved by a hand, by some pixels to the right and down. */
+  /** Returns the viewport after a drag; distances are in pixels. */
   PlanViewport dragged(double right, double down) {
     return new PlanViewport(
         middle.plus(new Vec3(down / pixels, right / pixels, 0)), pixels, width, height);
   }
 
-  /** Nearer by a factor, with the place under a point of the screen where it is. */
+  /**
+   * Returns a viewport that is magnified by a factor. The place at the given point of the screen
+   * stays there.
+   */
   PlanViewport zoomed(double factor, double x, double y) {
     double wanted = Math.max(0.1, Math.min(CLOSEST, pixels * factor));
     Vec3 under = place(x, y);

@@ -4,16 +4,16 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 
-/** Undo and redo history of floor plans. */
+/** The undo and redo history of floor plans. */
 final class UndoStack {
 
-  /** Changes that are remembered. Decided. */
+  /** Maximum number of changes in the history. Decided. */
   private static final int MOST = 500;
 
   private final Deque<FloorPlan> before = new ArrayDeque<>();
   private final Deque<FloorPlan> after = new ArrayDeque<>();
 
-  /** Remembers how it was before a change. */
+  /** Adds a change to the history, given the plan before the change. */
   void changed(FloorPlan was) {
     before.push(was);
     after.clear();
@@ -22,24 +22,24 @@ final class UndoStack {
     }
   }
 
-  /** Forgets the change that was remembered last, as it was not carried out. */
+  /** Removes the latest change, because it was not carried out. */
   void drop() {
     before.poll();
   }
 
   /**
-   * How it was before the last change that is not undone.
+   * Returns the plan before the last change, and remembers the current one for redo.
    *
-   * @param present how it is now
+   * @param present the current plan
    */
   Optional<FloorPlan> undone(FloorPlan present) {
     return step(before, after, present);
   }
 
   /**
-   * How it was before the last change was undone.
+   * Returns the plan before the last undo, and remembers the current one for undo.
    *
-   * @param present how it is now
+   * @param present the current plan
    */
   Optional<FloorPlan> redone(FloorPlan present) {
     return step(after, before, present);
@@ -60,7 +60,7 @@ final class UndoStack {
     return !after.isEmpty();
   }
 
-  /** Forgets everything. */
+  /** Removes the whole history. */
   void clear() {
     before.clear();
     after.clear();

@@ -1,9 +1,9 @@
 /**
- * What a class sees on the wall.
+ * The classroom display, meant to be shown on a projector.
  *
- * <p>{@link tellosimulator.view.projector.ProjectorPane} lies over the 3D scene and says in large
- * type what matters from afar: goals, clock, drones, and the last command with its outcome. It
- * pulls them from {@code view.model} once a pulse while it is shown. Everything is for the JavaFX
- * thread. Hiding the other parts of the window is the job of {@code view.layout}.
+ * <p>{@link tellosimulator.view.projector.ProjectorPane} lies over the 3D scene and shows the
+ * essentials in large type: goals, clock, drones, and the last command with its outcome. It reads
+ * them from {@code view.model} once per UI tick while it is visible. All types are confined to the
+ * JavaFX thread. Hiding the other parts of the window is the job of {@code view.layout}.
  */
 package tellosimulator.view.projector;

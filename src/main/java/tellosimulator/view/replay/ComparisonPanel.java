@@ -1,9 +1,7 @@
 package tellosimulator.view.replay;
 
 import atlantafx.base.theme.Styles;
-import java.util.List;
 import java.util.Optional;
-import javafx.beans.value.ObservableValue;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
@@ -15,13 +13,14 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.fx.FxTextures;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * Which flight is shown, with which ghost, what of them is missing, and the choice of another
- * ghost. For the JavaFX thread.
+ * Shows the names of the flight and its ghost, remarks on missing parts of their recordings, and a
+ * menu that selects another ghost. Confined to the JavaFX thread.
  */
 final class ComparisonPanel extends VBox {
 
@@ -31,11 +30,11 @@ final class ComparisonPanel extends VBox {
   private final GhostLoader ghosts;
   private final Language language;
   private final Messages messages;
-  private final Label flight = new Label();
-  private final Label ghost = new Label();
-  private final Label remarks = new Label();
-  private final Label news = new Label();
-  private final MenuButton compare = new MenuButton();
+  private final Label flight = Nodes.sentence("flight-name");
+  private final Label ghost = Nodes.sentence("ghost-name");
+  private final Label remarks = Nodes.sentence("remarks", "remarks");
+  private final Label news = Nodes.sentence("ghost-news");
+  private final MenuButton compare = Nodes.named(new MenuButton(), "compare", Styles.SMALL);
 
   ComparisonPanel(FxReplay replay, GhostLoader ghosts, Language language) {
     this.replay = replay;
@@ -49,19 +48,6 @@ final class ComparisonPanel extends VBox {
   }
 
   private void initializeParts() {
-    flight.setId("flight-name");
-    ghost.setId("ghost-name");
-    remarks.setId("remarks");
-    remarks.getStyleClass().add("remarks");
-    news.setId("ghost-news");
-    for (Label words : List.of(flight, ghost, remarks, news)) {
-      words.setWrapText(true);
-      words.setMinHeight(USE_PREF_SIZE);
-      words.managedProperty().bind(words.textProperty().isNotEmpty());
-      words.visibleProperty().bind(words.managedProperty());
-    }
-    compare.setId("compare");
-    compare.getStyleClass().add(Styles.SMALL);
     compare.setGraphic(new FontIcon(Feather.COPY));
     compare.textProperty().bind(messages.text("compare"));
     Tooltips.install(compare, messages.text("compare.tooltip"));
@@ -73,18 +59,15 @@ final class ComparisonPanel extends VBox {
   }
 
   private MenuItem item(String id, Runnable action) {
-    MenuItem item = new MenuItem();
-    item.setId(id);
-    item.textProperty().bind(messages.text(id));
-    item.setOnAction(chosen -> action.run());
-    return item;
+    return Nodes.menuItem(new MenuItem(), id, messages.text(id), action);
   }
 
   private void setupBindings() {
     flight.textProperty().bind(messages.text("flight-name", replay.flight().name()));
-    ObservableValue<Color> color = replay.simulation().selectedProperty().map(DroneColors::of);
-    flight.setGraphic(dot(color.getValue()));
-    color.subscribe(now -> flight.setGraphic(dot(now)));
+    replay
+        .simulation()
+        .selectedProperty()
+        .subscribe(drone -> flight.setGraphic(dot(DroneColors.of(drone))));
     ghost.setGraphic(dot(FxTextures.color(Rgb.of(FxReplay.GHOST_RGB))));
     ghost
         .textProperty()

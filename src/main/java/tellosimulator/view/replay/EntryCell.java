@@ -11,32 +11,35 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import tellosimulator.report.ReportEntry;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.text.Messages;
 
-/** A command with its reply and what it means, or something that happened. */
+/** A list cell that shows an event, or a command with its reply and an explanation. */
 final class EntryCell extends ListCell<ReportEntry> {
 
   private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
   private static final PseudoClass EVENT = PseudoClass.getPseudoClass("event");
 
-  /** What a cell has beside its words: its time, its padding and a scroll bar, in its font size. */
+  /** Width that a cell needs besides its text, for time, padding and scroll bar [em]. */
   private static final double BESIDE_EMS = 7.2;
 
-  /** Least height of an entry, in its font size. Decided: one can hit it. */
+  /** Minimum height of an entry [em]. Decided: easy to click. */
   private static final double LEAST_EMS = 2;
 
   private final ListView<ReportEntry> list;
   private final Messages messages;
   private final boolean severalDrones;
-  private final Label time = new Label();
-  private final Label text = new Label();
-  private final Label reply = new Label();
-  private final Label why = new Label();
-  private final HBox parts = new HBox(time, new VBox(text, reply, why));
+  private final Label time = Nodes.styled(new Label(), "entry-time");
+  private final Label text = Nodes.styled(new Label(), "entry-text");
+  private final Label reply = Nodes.styled(new Label(), "entry-reply");
+  private final Label why = Nodes.styled(new Label(), "entry-why");
+  private final HBox parts = Nodes.styled(new HBox(time, new VBox(text, reply, why)), "entry");
 
   /**
-   * @param severalDrones whether entries must say which drone they are about
-   * @param chosen takes an entry that somebody clicks, be it selected already
+   * Creates a cell.
+   *
+   * @param severalDrones whether entries must name their drone
+   * @param chosen receives a clicked entry, even if it is already selected
    */
   EntryCell(
       ListView<ReportEntry> list,
@@ -46,7 +49,7 @@ final class EntryCell extends ListCell<ReportEntry> {
     this.list = list;
     this.messages = messages;
     this.severalDrones = severalDrones;
-    setPrefWidth(0); // as wide as the list, never wider
+    setPrefWidth(0); // makes the cell as wide as the list, never wider
     setText(null);
     setOnMouseClicked(
         click -> {
@@ -54,17 +57,11 @@ final class EntryCell extends ListCell<ReportEntry> {
             chosen.accept(getItem());
           }
         });
-    parts.getStyleClass().add("entry");
-    time.getStyleClass().add("entry-time");
     time.setMinWidth(USE_PREF_SIZE);
-    text.getStyleClass().add("entry-text");
-    reply.getStyleClass().add("entry-reply");
-    why.getStyleClass().add("entry-why");
     HBox.setHgrow(parts.getChildren().get(1), Priority.ALWAYS);
     for (Label words : new Label[] {text, reply, why}) {
       words.setWrapText(true);
-      words.managedProperty().bind(words.textProperty().isNotEmpty());
-      words.visibleProperty().bind(words.managedProperty());
+      Nodes.showIf(words, words.textProperty().isNotEmpty());
       words
           .prefWidthProperty()
           .bind(
@@ -77,7 +74,7 @@ final class EntryCell extends ListCell<ReportEntry> {
     return list.getWidth() - BESIDE_EMS * time.getFont().getSize();
   }
 
-  /** The toolkit would take all words to be on one line. */
+  /** Measures the wrapped text, because JavaFX would compute the height of a single line. */
   @Override
   protected double computePrefHeight(double width) {
     if (isEmpty()) {

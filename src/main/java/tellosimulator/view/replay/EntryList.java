@@ -18,17 +18,18 @@ import javafx.scene.layout.VBox;
 import tellosimulator.report.ReportEntries;
 import tellosimulator.report.ReportEntry;
 import tellosimulator.report.ReportTexts;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * The commands of a flight with their replies, and what happened. It follows the moment that is
- * shown; to choose an entry goes to its moment. For the JavaFX thread.
+ * The commands of a flight with their replies, and the events of the flight. The list follows the
+ * playback, and selecting an entry seeks to its moment. Confined to the JavaFX thread.
  */
 final class EntryList extends VBox {
 
-  /** An entry counts as begun that much before its moment [s]. */
+  /** Tolerance of moments [s]. An entry counts as begun this long before its moment. */
   private static final double NEARLY = 0.005;
 
   private final FxReplay replay;
@@ -37,8 +38,9 @@ final class EntryList extends VBox {
   private final Messages messages;
   private final ObservableList<ReportEntry> all = FXCollections.observableArrayList();
   private final FilteredList<ReportEntry> entries = new FilteredList<>(all);
-  private final ListView<ReportEntry> list = new ListView<>(entries);
-  private final ToggleButton problems = new ToggleButton();
+  private final ListView<ReportEntry> list = Nodes.named(new ListView<>(entries), "entry-list");
+  private final ToggleButton problems =
+      Nodes.named(new ToggleButton(), "only-problems", Styles.SMALL);
   private boolean following;
 
   EntryList(FxReplay replay, Language language) {
@@ -46,45 +48,33 @@ final class EntryList extends VBox {
     this.playback = replay.playback();
     this.language = language;
     this.messages = language.messages(EntryList.class);
-    initializeSelf();
+    setId("entries");
+    setMinHeight(0);
     initializeParts();
     layoutParts();
     setupEventHandlers();
   }
 
-  /** The moments at which something went wrong [s]. */
+  /** Returns the moments of all problems [s]. */
   List<Double> problems() {
     return all.stream().filter(ReportEntry::wrong).map(ReportEntry::time).toList();
   }
 
   /**
-   * Goes to the entry before or after the moment; beyond the last one to the end of the flight.
+   * Seeks to the next or the previous entry. If there is none, seeks to the end or the beginning of
+   * the flight.
    *
-   * @param step 1 for the next one, -1 for the one before
+   * @param step 1 for the next entry, -1 for the previous one
    */
   void jump(int step) {
     double time = playback.time();
+    int index = step > 0 ? lastBy(time + NEARLY) + 1 : lastBy(time - NEARLY);
     double edge = step > 0 ? playback.end() : playback.begin();
-    double target = edge;
-    for (ReportEntry entry : entries) {
-      if (step > 0 && entry.time() > time + NEARLY) {
-        target = entry.time();
-        break;
-      }
-      if (step < 0 && entry.time() < time - NEARLY) {
-        target = entry.time();
-      }
-    }
-    playback.seek(target);
-  }
-
-  private void initializeSelf() {
-    setId("entries");
-    setMinHeight(0);
+    boolean exists = index >= 0 && index < entries.size();
+    playback.seek(exists ? entries.get(index).time() : edge);
   }
 
   private void initializeParts() {
-    list.setId("entry-list");
     list.setCellFactory(
         view ->
             new EntryCell(
@@ -95,18 +85,15 @@ final class EntryList extends VBox {
     list.setPlaceholder(messages.label("no-entries"));
     list.accessibleTextProperty().bind(messages.text("entries"));
     list.setMinHeight(0);
-    problems.setId("only-problems");
-    problems.getStyleClass().add(Styles.SMALL);
     problems.textProperty().bind(messages.text("only-problems"));
-    problems.setMinWidth(USE_PREF_SIZE);
     Tooltips.install(problems, messages.text("only-problems.tooltip"));
   }
 
   private void layoutParts() {
     Label title = messages.label("entries-title", "heading");
-    HBox head = new HBox(title, new Spacer(), problems);
+    HBox head = new HBox(title, new Spacer(), Nodes.unshrinkable(problems));
     head.setAlignment(Pos.CENTER_LEFT);
-    head.getStyleClass().add("entries-head");
+    Nodes.styled(head, "entries-head");
     VBox.setVgrow(list, Priority.ALWAYS);
     getChildren().addAll(head, list);
   }
@@ -128,7 +115,7 @@ final class EntryList extends VBox {
     playback.timeProperty().subscribe(this::follow);
   }
 
-  /** The words of entries are made anew in each language. */
+  /** Recreates the entries in the current language. */
   private void translate() {
     following = true;
     ReportTexts texts = new ReportTexts(language.translation());
@@ -147,7 +134,7 @@ final class EntryList extends VBox {
     if (following) {
       return;
     }
-    int index = current();
+    int index = lastBy(playback.time() + NEARLY);
     if (index == list.getSelectionModel().getSelectedIndex()) {
       return;
     }
@@ -161,26 +148,25 @@ final class EntryList extends VBox {
     following = false;
   }
 
-  /** Whether another entry of the same moment is chosen, which then stays so. */
+  /**
+   * Returns whether the selected entry has the same moment as another one, so that the selection
+   * must not change.
+   */
   private boolean sameMoment(int index) {
     ReportEntry chosen = list.getSelectionModel().getSelectedItem();
     return chosen != null && chosen.time() == entries.get(index).time();
   }
 
-  /** The last entry that has begun; -1 before the first one. */
-  private int current() {
-    double time = playback.time() + NEARLY;
-    int low = -1;
-    int high = entries.size() - 1;
-    while (low < high) {
-      int middle = (low + high + 1) / 2;
-      if (entries.get(middle).time() <= time) {
-        low = middle;
-      } else {
-        high = middle - 1;
-      }
+  /**
+   * Returns the index of the last entry that begins at or before the given time [s], or -1 if there
+   * is none.
+   */
+  private int lastBy(double moment) {
+    int last = -1;
+    while (last + 1 < entries.size() && entries.get(last + 1).time() <= moment) {
+      last++;
     }
-    return low;
+    return last;
   }
 
   private void bringIntoSight(int index) {

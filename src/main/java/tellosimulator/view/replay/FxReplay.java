@@ -15,21 +15,27 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.view.model.FxSimulation;
 
 /**
- * A recorded flight and its ghost at the moment that is shown, as what views bind to. For the
- * JavaFX thread, but for {@link #snapshot}.
+ * Provides views with the displayed moment of a recorded flight and of its ghost, as properties.
+ * Confined to the JavaFX thread, except {@link #snapshot}.
  */
 final class FxReplay {
 
   /**
-   * Colour of ghosts, as one writes #rrggbb. Decided: a purple that no drone has by its number, and
-   * on which white letters can be read.
+   * Colour of ghosts, as 0xRRGGBB. Decided: a purple that no drone has by default, and on which
+   * white letters are readable.
    */
   static final int GHOST_RGB = 0x8f3fb0;
 
-  /** Time between two points of a trail that is drawn anew [s]. Decided: that of the samples. */
+  /**
+   * Minimum time between two points of a redrawn trail [s]. Decided: the interval of the recorded
+   * samples.
+   */
   private static final double TRAIL_STEP = 0.05;
 
-  /** Most states of drones of which trails are drawn anew. Decided: some milliseconds. */
+  /**
+   * Maximum number of drone states used to redraw trails. Decided: redrawing then takes only a few
+   * milliseconds.
+   */
   private static final int MOST_TRAIL_STATES = 20_000;
 
   private final ReplayFlight flight;
@@ -57,28 +63,28 @@ final class FxReplay {
     return playback;
   }
 
-  /** The mirror of the moment. */
+  /** Returns the properties of the displayed moment. */
   FxSimulation simulation() {
     return simulation;
   }
 
-  /** The flight that is compared with, in the colour of ghosts. */
+  /** The ghost: the flight with which the recorded flight is compared, if there is one. */
   ObjectProperty<Optional<ReplayFlight>> ghostProperty() {
     return ghost;
   }
 
-  /** What is being done, or what did not work, in a sentence; may be empty. */
+  /** A sentence about an operation that is in progress or has failed; may be empty. */
   StringProperty newsProperty() {
     return news;
   }
 
-  /** What is to be seen at the moment; for any thread. */
+  /** Returns the snapshot of the displayed moment. Thread-safe. */
   SimSnapshot snapshot() {
     return snapshot;
   }
 
   /**
-   * Moves on.
+   * Advances the playback.
    *
    * @param nanos the time of the frame [ns]
    */
@@ -96,7 +102,10 @@ final class FxReplay {
     ghostSnapshot = ghost.get().map(other -> other.snapshots().at(ghostTime(other)));
   }
 
-  /** What is to be seen of the ghost, at the same moment after the takeoff. */
+  /**
+   * Returns the ghost's snapshot at the same time after takeoff as the displayed moment; empty if
+   * there is no ghost.
+   */
   Optional<SimSnapshot> ghostSnapshot() {
     return ghostSnapshot;
   }
@@ -105,7 +114,9 @@ final class FxReplay {
     return flight.timeIn(other, playback.time());
   }
 
-  /** How far the selected drone is from its ghost [m]; empty if it has none. */
+  /**
+   * Returns the distance between the selected drone and its ghost [m]; empty if it has no ghost.
+   */
   OptionalDouble distance() {
     int number = simulation.selected().number();
     Optional<Vec3> own = place(snapshot, number);
@@ -123,12 +134,12 @@ final class FxReplay {
         .findFirst();
   }
 
-  /** What was to be seen until now, for trails. */
+  /** Returns the snapshots up to the displayed moment, for redrawing trails. */
   List<SimSnapshot> past() {
     return past(flight.snapshots(), flight.begin(), playback.time());
   }
 
-  /** The same of the ghost. */
+  /** Returns the snapshots of the ghost up to the displayed moment. */
   List<SimSnapshot> ghostPast() {
     return ghost
         .get()

@@ -14,20 +14,21 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * Loads a ghost: from another recording, or from the same commands flown again, by a thread of its
- * own. What was asked for last is shown, however long it takes. For the JavaFX thread.
+ * Loads a ghost on a separate thread: from another recording, or by flying the same commands again.
+ * Only the latest request takes effect, even if an earlier one finishes later. Confined to the
+ * JavaFX thread.
  */
 final class GhostLoader {
 
   private static final ErrorPolicy FAILED = ErrorPolicy.finish("A recording could not be read");
 
-  /** Reads the recording in a folder. For any thread. */
+  /** Reads the recording in a folder. Must be thread-safe. */
   @FunctionalInterface
   interface Reader {
     ReplayFlight read(Path folder) throws UnreadableRecordingException;
   }
 
-  /** Makes a ghost. For any thread. */
+  /** Provides a ghost. Called on the loading thread. */
   @FunctionalInterface
   private interface Source {
     ReplayFlight get() throws UnreadableRecordingException, IOException;
@@ -39,11 +40,13 @@ final class GhostLoader {
   private final Runnable changed;
   private final Reader reader;
 
-  /** Counts what was asked for, so that what is read too late gives way. */
+  /** Number of requests so far. Results of superseded requests are discarded. */
   private int requests;
 
   /**
-   * @param changed is told when there is something new to show
+   * Creates a loader.
+   *
+   * @param changed called when the ghost or the news has changed
    * @param reader reads recordings
    */
   GhostLoader(FxReplay replay, Language language, Runnable changed, Reader reader) {
@@ -54,7 +57,7 @@ final class GhostLoader {
     messages = language.messages(GhostLoader.class);
   }
 
-  /** Lets somebody choose the folder of a recording. */
+  /** Opens a dialog for choosing the folder of a recording, and loads the recording. */
   void choose(Window owner) {
     DirectoryChooser chooser = new DirectoryChooser();
     chooser.setTitle(messages.now("choose-recording"));
@@ -64,13 +67,13 @@ final class GhostLoader {
     }
   }
 
-  /** Shows a recording as the ghost, as soon as it is read. */
+  /** Reads a recording and then shows it as the ghost. */
   void read(Path folder) {
     tell(messages.now("reading"));
     load(folder, () -> reader.read(folder));
   }
 
-  /** Flies the commands of the flight again, and shows what comes of them as the ghost. */
+  /** Flies the commands of the flight again, and shows the result as the ghost. */
   void flyAgain() {
     ReplayFlight flight = replay.flight();
     String name = messages.now("flown-again", flight.name());
@@ -84,7 +87,7 @@ final class GhostLoader {
     Worker.once("replay-reader", FAILED, () -> load(folder, source, mine));
   }
 
-  /** On the thread that reads. */
+  /** Loads a flight. Called on the loading thread. */
   private void load(Path folder, Source source, int mine) {
     try {
       ReplayFlight other = source.get();
@@ -121,7 +124,7 @@ final class GhostLoader {
     tell("");
   }
 
-  /** Shows no ghost any more. */
+  /** Removes the ghost. */
   void remove() {
     requests++;
     replay.ghostProperty().set(Optional.empty());

@@ -9,18 +9,21 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 
 /**
- * Which moment of a recording is shown, and how it goes on. Times are simulated seconds since the
- * simulation began. For the JavaFX thread.
+ * The playback position of a recording, and its speed. Times are simulated seconds since the start
+ * of the simulation. Confined to the JavaFX thread.
  */
 final class Playback {
 
-  /** How many times as fast as it was flown. */
+  /** The selectable speeds, as multiples of the recorded speed. */
   static final List<Double> SPEEDS = List.of(0.25, 0.5, 1.0, 2.0, 4.0, 8.0);
 
-  /** A window that was covered goes on where it was: longer frames count as this [s]. Decided. */
+  /**
+   * Maximum wall-clock time that counts between two frames [s]. Decided: after a window was hidden,
+   * playback continues where it stopped.
+   */
   private static final double LONGEST_FRAME = 0.25;
 
-  /** So near to the end it is over [s]. */
+  /** Time before the end at which playback counts as finished [s]. */
   private static final double NEARLY = 0.01;
 
   private final double begin;
@@ -31,59 +34,59 @@ final class Playback {
   private final ObjectProperty<Double> speed = new SimpleObjectProperty<>(this, "speed", 1.0);
   private long lastNanos;
 
-  /** Stands at the first moment. */
+  /** Creates a paused playback at the first moment. */
   Playback(double begin, double end) {
     this.begin = begin;
     this.end = end;
     time = new ReadOnlyDoubleWrapper(this, "time", begin);
   }
 
-  /** The first moment [s]. */
+  /** Returns the first moment [s]. */
   double begin() {
     return begin;
   }
 
-  /** The last moment [s]. */
+  /** Returns the last moment [s]. */
   double end() {
     return end;
   }
 
-  /** The moment that is shown [s]. */
+  /** The displayed moment [s]. */
   ReadOnlyDoubleProperty timeProperty() {
     return time.getReadOnlyProperty();
   }
 
-  /** The moment that is shown [s]. */
+  /** Returns the displayed moment [s]. */
   double time() {
     return time.get();
   }
 
-  /** Whether it goes on by itself. */
+  /** Whether the playback is running. */
   BooleanProperty playingProperty() {
     return playing;
   }
 
-  /** Whether somebody holds the slider, so that it waits. */
+  /** Whether the slider is being dragged, which suspends the playback. */
   BooleanProperty heldProperty() {
     return held;
   }
 
-  /** One of {@link #SPEEDS}. */
+  /** The speed; one of {@link #SPEEDS}. */
   ObjectProperty<Double> speedProperty() {
     return speed;
   }
 
-  /** Goes to a moment, or as near to it as there are any [s]. */
+  /** Seeks to a moment [s], limited to the range of the recording. */
   void seek(double moment) {
     time.set(Math.max(begin, Math.min(end, moment)));
   }
 
-  /** Goes some seconds on; back if they are negative. */
+  /** Moves forward by a number of seconds, or back if the number is negative. */
   void step(double seconds) {
     seek(time.get() + seconds);
   }
 
-  /** Plays or pauses; what is over begins anew. */
+  /** Starts or pauses the playback. At the end of the recording, starts it from the beginning. */
   void toggle() {
     if (!playing.get() && time.get() >= end - NEARLY) {
       seek(begin);
@@ -92,9 +95,9 @@ final class Playback {
   }
 
   /**
-   * Plays faster or slower.
+   * Changes the speed.
    *
-   * @param steps along {@link #SPEEDS}
+   * @param steps the number of steps along {@link #SPEEDS}; negative to slow down
    */
   void faster(int steps) {
     int index = SPEEDS.indexOf(speed.get()) + steps;
@@ -102,7 +105,7 @@ final class Playback {
   }
 
   /**
-   * Moves on with the wall clock, if it plays.
+   * Advances with the wall clock while the playback is running.
    *
    * @param nanos the time of the frame [ns]
    */

@@ -11,12 +11,12 @@ import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.replay.Replay;
 
 /**
- * A recording as the player has it. Immutable; for any thread.
+ * A recording that has been read. Immutable.
  *
- * @param name of its folder, or what else it is called
- * @param folder in which it is
- * @param flight what the folder says
- * @param snapshots what could be seen at its moments
+ * @param name the display name, usually the name of the folder
+ * @param folder the folder of the recording
+ * @param flight the content of the recording
+ * @param snapshots provides the snapshot of each moment
  */
 public record ReplayFlight(
     String name, Path folder, RecordedFlight flight, FlightSnapshots snapshots) {
@@ -24,8 +24,9 @@ public record ReplayFlight(
   /**
    * Reads a recording, which may take a while.
    *
-   * @param place its folder, or a file in it
-   * @throws UnreadableRecordingException with a sentence, if there is none
+   * @param place the recording's folder, or a file in it
+   * @throws UnreadableRecordingException if there is no readable recording; the message is a
+   *     sentence
    */
   public static ReplayFlight read(Path place) throws UnreadableRecordingException {
     Path absolute = place.toAbsolutePath().normalize();
@@ -40,12 +41,14 @@ public record ReplayFlight(
   }
 
   /**
-   * Flies a recording again by its inputs, or else by its commands, as fast as this machine can.
+   * Flies a recording again, as fast as possible: from its inputs if they were recorded, otherwise
+   * from its commands.
    *
-   * @param folder of the recording
-   * @param name of what comes of it
-   * @throws UnreadableRecordingException with a sentence, if there is none
-   * @throws IOException with a clause, if it cannot be flown again
+   * @param folder the folder of the recording
+   * @param name the name of the new flight
+   * @throws UnreadableRecordingException if there is no readable recording; the message is a
+   *     sentence
+   * @throws IOException if the recording cannot be flown again; the message is a clause
    */
   static ReplayFlight flyAgain(Path folder, String name)
       throws UnreadableRecordingException, IOException {
@@ -56,25 +59,26 @@ public record ReplayFlight(
     }
   }
 
-  /** The takeoff, in simulated seconds since the simulation began. */
+  /** Returns the time of the takeoff, in simulated seconds since the start of the simulation. */
   double takeoff() {
     return flight.run().started();
   }
 
-  /** The first moment that is shown [s]. */
+  /** Returns the first displayed moment [s]. */
   double begin() {
     return flight.shownBegin();
   }
 
-  /** The last moment that is shown [s]. */
+  /** Returns the last displayed moment [s]. */
   double end() {
     return Math.max(begin(), flight.end());
   }
 
   /**
-   * The same moment after the takeoff, in another flight [s].
+   * Converts a moment of this flight to the moment of another flight at the same time after takeoff
+   * [s].
    *
-   * @param time in this one [s]
+   * @param time a moment of this flight [s]
    */
   double timeIn(ReplayFlight other, double time) {
     return time - takeoff() + other.takeoff();

@@ -1,7 +1,8 @@
 package tellosimulator.view.replay;
 
-import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import javafx.event.EventHandler;
 import javafx.scene.Node;
 import javafx.scene.Scene;
@@ -9,36 +10,31 @@ import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.ComboBoxBase;
 import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCodeCombination;
+import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import javafx.util.Subscription;
 
 /**
- * The keys of the player. They act wherever the focus is, but for Space, which presses a button
- * that was reached by the keyboard. For the JavaFX thread.
+ * The player's keyboard shortcuts. They work regardless of the focus, except that Space presses a
+ * button that was focused with the keyboard. Confined to the JavaFX thread.
  */
 final class ReplayKeys {
 
-  private final Map<KeyCode, Runnable> actions = new EnumMap<>(KeyCode.class);
-  private final Map<KeyCode, Runnable> shifted = new EnumMap<>(KeyCode.class);
+  private final Map<KeyCombination, Runnable> actions = new HashMap<>();
   private boolean spaceHeld;
 
-  /** Lets a key do something, again and again while it is held. */
-  ReplayKeys on(KeyCode key, Runnable action) {
-    actions.put(key, action);
+  /** Adds a shortcut, which repeats while the key is held, unless the key is Space. */
+  ReplayKeys on(KeyCode key, Runnable action, KeyCombination.Modifier... modifiers) {
+    actions.put(new KeyCodeCombination(key, modifiers), action);
     return this;
   }
 
-  /** Lets a key do something else while Shift is held. */
-  ReplayKeys onShift(KeyCode key, Runnable action) {
-    shifted.put(key, action);
-    return this;
-  }
-
-  /** Listens to the keys of a scene until the subscription ends. */
+  /** Handles the keys of a scene until the subscription ends. */
   Subscription install(Scene scene) {
     EventHandler<KeyEvent> pressed = event -> press(event, scene.getFocusOwner());
     EventHandler<KeyEvent> released =
-        event -> spaceHeld &= event.getCode() != KeyCode.SPACE; // it repeats while it is held
+        event -> spaceHeld &= event.getCode() != KeyCode.SPACE; // Space must not repeat while held
     scene.addEventFilter(KeyEvent.KEY_PRESSED, pressed);
     scene.addEventFilter(KeyEvent.KEY_RELEASED, released);
     return () -> {
@@ -49,20 +45,20 @@ final class ReplayKeys {
 
   private void press(KeyEvent event, Node focused) {
     boolean space = event.getCode() == KeyCode.SPACE;
-    Runnable action = (event.isShiftDown() ? shifted : actions).get(event.getCode());
-    boolean other = event.isControlDown() || event.isAltDown() || event.isMetaDown();
-    if (action == null || other || (space && presses(focused))) {
+    Optional<KeyCombination> key =
+        actions.keySet().stream().filter(known -> known.match(event)).findFirst();
+    if (key.isEmpty() || (space && presses(focused))) {
       return;
     }
     event.consume();
     boolean repeated = space && spaceHeld;
     spaceHeld |= space;
     if (!repeated) {
-      action.run();
+      actions.get(key.get()).run();
     }
   }
 
-  /** Whether Space does something to what has the focus, and a person can see that it has. */
+  /** Returns whether the focused control reacts to Space and shows a focus ring. */
   private static boolean presses(Node focused) {
     boolean takesSpace =
         focused instanceof ButtonBase

@@ -17,53 +17,54 @@ import javafx.stage.WindowEvent;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.fx.FileDrop;
 import tellosimulator.view.layout.Theme;
-import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.SceneContext;
+import tellosimulator.view.model.UiTicker;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
 import tellosimulator.view.world.SimulatorCamera;
 
-/** The player in a stage. For the JavaFX thread. */
+/** The player's window. Confined to the JavaFX thread. */
 public final class ReplayWindow implements AutoCloseable {
 
-  /** Size of the scene before the window has its own [px]. */
+  /** Initial width of the scene [px]. */
   private static final double FIRST_WIDTH = 1280;
 
+  /** Initial height of the scene [px]. */
   private static final double FIRST_HEIGHT = 800;
 
   private final Stage stage;
   private final FxReplay replay;
   private final GhostLoader ghosts;
-  private final Pulse pulse;
+  private final UiTicker ticker;
   private final WindowVideo video;
   private final ReplayPane pane;
 
   /**
-   * How everything looks.
+   * The appearance of the window.
    *
-   * @param optics of the drones' cameras
+   * @param optics the optics of the drones' cameras
    */
   public record Appearance(Language language, Property<Theme> theme, DroneOptics optics) {}
 
-  /** Builds the window, and does not show it yet. */
+  /** Builds the window without showing it. */
   public ReplayWindow(Stage stage, ReplayFlight flight, Appearance appearance) {
     this.stage = stage;
     Language language = appearance.language();
     Property<Theme> theme = appearance.theme();
     theme.subscribe(now -> Application.setUserAgentStylesheet(now.stylesheet()));
     replay = new FxReplay(flight);
-    pulse = new Pulse(() -> {}, () -> !replay.playback().playingProperty().get());
+    ticker = new UiTicker(() -> {}, () -> !replay.playback().playingProperty().get());
     video = new WindowVideo(replay::snapshot, appearance.optics(), MediaFolder.ofUser());
-    ghosts = new GhostLoader(replay, language, pulse::wake, ReplayFlight::read);
+    ghosts = new GhostLoader(replay, language, ticker::wake, ReplayFlight::read);
     BooleanProperty fullScreen = new SimpleBooleanProperty();
     stage.fullScreenProperty().subscribe(fullScreen::set);
     fullScreen.subscribe(stage::setFullScreen);
     SceneContext context =
-        new SceneContext(replay.simulation(), language, pulse, video, ReplayMarks.of(replay));
+        new SceneContext(replay.simulation(), language, ticker, video, ReplayOverlay.of(replay));
     pane =
         new ReplayPane(replay, ghosts, context, new ReplayPane.DisplaySettings(theme, fullScreen));
-    pulse.onBeat(nanos -> video.advance());
+    ticker.onTick(nanos -> video.advance());
     video.onReport(
         report ->
             Platform.runLater(() -> replay.newsProperty().set(language.say(report.phrase()))));
@@ -73,49 +74,49 @@ public final class ReplayWindow implements AutoCloseable {
         .getAccelerators()
         .put(new KeyCodeCombination(KeyCode.Q, KeyCombination.SHORTCUT_DOWN), this::quit);
     FileDrop.install(pane, ghosts::read);
-    EventHandler<InputEvent> waking = input -> pulse.wake();
+    EventHandler<InputEvent> waking = input -> ticker.wake();
     scene.addEventFilter(InputEvent.ANY, waking);
-    scene.widthProperty().subscribe(pulse::wake);
-    scene.heightProperty().subscribe(pulse::wake);
-    replay.playback().timeProperty().subscribe(pulse::wake);
-    replay.playback().playingProperty().subscribe(pulse::wake);
+    scene.widthProperty().subscribe(ticker::wake);
+    scene.heightProperty().subscribe(ticker::wake);
+    replay.playback().timeProperty().subscribe(ticker::wake);
+    replay.playback().playingProperty().subscribe(ticker::wake);
     stage.setScene(scene);
     stage.setTitle(flight.name() + " \u2013 Tello Simulator");
     stage.setFullScreenExitHint("");
     stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
   }
 
-  /** Shows another flight as the ghost. */
+  /** Shows another flight as the ghost, if there is one. */
   public void compareWith(Optional<ReplayFlight> other) {
     other.ifPresent(ghosts::show);
   }
 
-  /** The camera that looks into the room from outside. */
+  /** Returns the camera that shows the room from outside. */
   public SimulatorCamera camera() {
     return pane.world().camera();
   }
 
-  /** Whether drones that would be small in the picture are drawn larger than life. */
+  /** Whether drones that would look small are drawn enlarged. */
   public BooleanProperty dronesEnlargedProperty() {
     return pane.world().dronesEnlargedProperty();
   }
 
-  /** Opens it. */
+  /** Shows the window. */
   public void show() {
-    pulse.start();
+    ticker.start();
     stage.show();
-    pane.world().requestFocus(); // or the first button would have it, and Space would press that
+    pane.world().requestFocus(); // otherwise Space would press the first button
   }
 
-  /** As the button of the frame does. */
+  /** Closes the window, as the close button of its frame does. */
   private void quit() {
     stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
   }
 
-  /** Ends what it does beside showing. */
+  /** Stops playback and video. */
   @Override
   public void close() {
-    pulse.stop();
+    ticker.stop();
     pane.world().rest();
     video.close();
   }

@@ -3,23 +3,32 @@ package tellosimulator.view.replay;
 import atlantafx.base.theme.Styles;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
+import java.util.Comparator;
+import java.util.List;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
+import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
-import javafx.util.StringConverter;
+import javafx.scene.shape.LineTo;
+import javafx.scene.shape.MoveTo;
+import javafx.scene.shape.Path;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
-import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
-/** Plays, pauses and scrubs a replay: the slider over the whole flight. For the JavaFX thread. */
+/**
+ * The controls of a replay: play, pause, speed, and a slider for the whole flight. Confined to the
+ * JavaFX thread.
+ */
 final class TransportBar extends HBox {
 
   private final FxReplay replay;
@@ -27,14 +36,12 @@ final class TransportBar extends HBox {
   private final Language language;
   private final Messages messages;
   private final EntryList entries;
-  private final Button play = new Button();
-  private final Button earlier = new Button();
-  private final Button later = new Button();
-  private final Slider slider = new Slider();
+  private final Button play;
+  private final Slider slider = Nodes.named(new Slider(), "moment");
   private final ProblemLane lane;
-  private final Label now = new Label();
-  private final Label sinceTakeoff = new Label();
-  private final ChoiceBox<Double> speed = new ChoiceBox<>();
+  private final Label now = Nodes.named(new Label(), "now", "now");
+  private final Label sinceTakeoff = Nodes.named(new Label(), "since-takeoff", "muted");
+  private final ChoiceBox<Double> speed = Nodes.named(new ChoiceBox<>(), "speed");
   private boolean following;
 
   TransportBar(FxReplay replay, Language language, EntryList entries) {
@@ -44,65 +51,43 @@ final class TransportBar extends HBox {
     this.messages = language.messages(TransportBar.class);
     this.entries = entries;
     this.lane = new ProblemLane(playback, entries.problems());
-    initializeSelf();
-    initializeParts();
+    play = button("play", playback::toggle);
+    Nodes.named(this, "transport", "transport");
+    setAlignment(Pos.CENTER);
+    slider.setMin(playback.begin());
+    slider.setMax(Math.max(playback.begin() + 0.1, playback.end()));
+    slider.accessibleTextProperty().bind(messages.text("moment"));
+    speed.getItems().setAll(Playback.SPEEDS);
+    Nodes.described(speed, messages.text("speed"));
     layoutParts();
     setupEventHandlers();
     setupBindings();
   }
 
-  private void initializeSelf() {
-    setId("transport");
-    getStyleClass().add("transport");
-    setAlignment(Pos.CENTER);
-  }
-
-  private void initializeParts() {
-    prepare(play, "play");
-    prepare(earlier, "earlier");
-    prepare(later, "later");
-    show(earlier, Feather.SKIP_BACK, "earlier");
-    show(later, Feather.SKIP_FORWARD, "later");
-    slider.setId("moment");
-    slider.setMin(playback.begin());
-    slider.setMax(Math.max(playback.begin() + 0.1, playback.end()));
-    slider.accessibleTextProperty().bind(messages.text("moment"));
-    now.setId("now");
-    now.getStyleClass().add("now");
-    sinceTakeoff.setId("since-takeoff");
-    sinceTakeoff.getStyleClass().add("muted");
-    speed.setId("speed");
-    speed.getItems().setAll(Playback.SPEEDS);
-    speed.accessibleTextProperty().bind(messages.text("speed"));
-    Tooltips.install(speed, messages.text("speed"));
-  }
-
-  private static void prepare(Button button, String id) {
-    button.setId(id);
-    button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.SMALL);
+  private static Button button(String id, Runnable action) {
+    Button button = Nodes.named(new Button(), id, Styles.BUTTON_ICON, Styles.SMALL);
+    button.setOnAction(pressed -> action.run());
+    return button;
   }
 
   private void show(Button button, Ikon icon, String key) {
     button.setGraphic(new FontIcon(icon));
-    Tooltips.install(button, messages.text(key));
-    button.accessibleTextProperty().bind(messages.text(key));
+    Nodes.described(button, messages.text(key));
   }
 
   private void layoutParts() {
-    VBox times = new VBox(now, sinceTakeoff);
-    times.getStyleClass().add("times");
-    times.setMinWidth(USE_PREF_SIZE);
+    Button earlier = button("earlier", () -> entries.jump(-1));
+    Button later = button("later", () -> entries.jump(1));
+    show(earlier, Feather.SKIP_BACK, "earlier");
+    show(later, Feather.SKIP_FORWARD, "later");
+    VBox times = Nodes.unshrinkable(Nodes.styled(new VBox(now, sinceTakeoff), "times"));
     VBox scrubber = new VBox(lane, slider);
     scrubber.setAlignment(Pos.CENTER);
     HBox.setHgrow(scrubber, Priority.ALWAYS);
-    speed.setMinWidth(USE_PREF_SIZE);
-    getChildren().addAll(play, earlier, later, times, scrubber, speed);
+    getChildren().addAll(play, earlier, later, times, scrubber, Nodes.unshrinkable(speed));
   }
 
   private void setupEventHandlers() {
-    play.setOnAction(action -> playback.toggle());
-    earlier.setOnAction(action -> entries.jump(-1));
-    later.setOnAction(action -> entries.jump(1));
     slider
         .valueProperty()
         .addListener(
@@ -112,7 +97,7 @@ final class TransportBar extends HBox {
               }
             });
     playback.timeProperty().subscribe(this::follow);
-    language.localeProperty().subscribe(locale -> speed.setConverter(new SpeedNames()));
+    Nodes.nameItems(speed, language.localeProperty(), this::speedName);
   }
 
   private void follow() {
@@ -143,18 +128,75 @@ final class TransportBar extends HBox {
                             : messages.text("after-takeoff", since)));
   }
 
-  /** How many times as fast, as people who speak the language write it. */
-  private final class SpeedNames extends StringConverter<Double> {
-    @Override
-    public String toString(Double factor) {
-      DecimalFormat format =
-          new DecimalFormat("0.##", DecimalFormatSymbols.getInstance(language.locale()));
-      return factor == null ? "" : format.format(factor) + " \u00d7";
+  /** Formats a speed factor in the current language. */
+  private String speedName(double factor) {
+    return new DecimalFormat("0.##", DecimalFormatSymbols.getInstance(language.locale()))
+            .format(factor)
+        + " \u00d7";
+  }
+
+  /**
+   * Marks the moments of problems above the slider; a click near a mark seeks to its moment, and a
+   * click elsewhere to the clicked moment. Confined to the JavaFX thread.
+   */
+  private static final class ProblemLane extends Region {
+
+    private static final double HEIGHT = 8;
+
+    /** Maximum distance at which a click hits a mark [px]. Decided: easy to hit. */
+    private static final double NEAR = 8;
+
+    private final Playback playback;
+    private final List<Double> moments;
+    private final Path marks = Nodes.styled(new Path(), "problem-marks");
+
+    /**
+     * Creates a lane.
+     *
+     * @param moments the moments of the problems [s]
+     */
+    ProblemLane(Playback playback, List<Double> moments) {
+      this.playback = playback;
+      this.moments = List.copyOf(moments);
+      setId("problem-lane");
+      setMinHeight(HEIGHT);
+      setPrefHeight(HEIGHT);
+      marks.setManaged(false);
+      getChildren().add(marks);
+      setOnMouseClicked(this::clicked);
+    }
+
+    private void clicked(MouseEvent click) {
+      double x = click.getX();
+      moments.stream()
+          .filter(moment -> Math.abs(x(moment) - x) <= NEAR)
+          .min(Comparator.comparingDouble(moment -> Math.abs(x(moment) - x)))
+          .ifPresentOrElse(playback::seek, () -> playback.seek(moment(x)));
+    }
+
+    /** Returns the position of a moment [px]. */
+    private double x(double moment) {
+      double length = Math.max(1e-3, playback.end() - playback.begin());
+      double part = Math.max(0, Math.min(1, (moment - playback.begin()) / length));
+      return getInsets().getLeft() + part * inner();
+    }
+
+    private double moment(double x) {
+      double part = (x - getInsets().getLeft()) / Math.max(1, inner());
+      return playback.begin() + part * (playback.end() - playback.begin());
+    }
+
+    private double inner() {
+      return getWidth() - getInsets().getLeft() - getInsets().getRight();
     }
 
     @Override
-    public Double fromString(String name) {
-      throw new UnsupportedOperationException("speeds are chosen, not typed");
+    protected void layoutChildren() {
+      marks.getElements().clear();
+      for (double moment : moments) {
+        double x = Math.floor(x(moment)) + 0.5;
+        marks.getElements().addAll(new MoveTo(x, 0), new LineTo(x, getHeight()));
+      }
     }
   }
 }

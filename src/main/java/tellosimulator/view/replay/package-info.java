@@ -1,10 +1,11 @@
 /**
- * The player: a window on a recorded flight, in which nothing is flown and no socket is opened.
+ * The player: a window that shows a recorded flight. The package itself neither simulates flights
+ * nor opens sockets.
  *
- * <p>{@link tellosimulator.view.replay.ReplayFlight} is a recording that was read; {@link
- * tellosimulator.view.replay.ReplayWindow} shows it in a stage, with another one as a ghost if
- * somebody wants to compare. {@code FxReplay} is what all parts are bound to, and its {@code
- * Playback} the moment that they show. Everything is for the JavaFX thread, but for reading. What
- * the room looks like is {@code view.world}'s job.
+ * <p>{@link tellosimulator.view.replay.ReplayFlight} is a recording that has been read; {@link
+ * tellosimulator.view.replay.ReplayWindow} shows the recording, optionally together with another
+ * one as a ghost. All parts are bound to {@code FxReplay}, whose {@code Playback} determines the
+ * displayed moment. All types are confined to the JavaFX thread, except for reading recordings. The
+ * appearance of the room is {@code view.world}'s job.
  */
 package tellosimulator.view.replay;

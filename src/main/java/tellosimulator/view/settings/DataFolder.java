@@ -4,22 +4,22 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
 
-/** The folder in which the program keeps what it makes for a person. */
+/** The folder for the files that the program creates for the user. */
 public final class DataFolder {
 
   private static final String RECORDINGS = "recordings";
 
   private DataFolder() {}
 
-  /** Where flights are recorded unless somebody says otherwise. */
+  /** Returns the default folder for recorded flights. */
   public static Path recordings() {
     return usual(System.getProperty("os.name"), System.getProperty("user.home"), System.getenv())
         .resolve(RECORDINGS);
   }
 
   /**
-   * Where a system keeps such things. Documented: XDG Base Directory Specification, Apple File
-   * System Programming Guide, Windows known folders.
+   * Returns the folder in which an operating system stores application data. Documented: XDG Base
+   * Directory Specification, Apple File System Programming Guide, Windows known folders.
    */
   static Path usual(String system, String home, Map<String, String> environment) {
     String name = system.toLowerCase(Locale.ROOT);

@@ -7,16 +7,16 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * How a setting is written in the file, and which values it can have. Immutable.
+ * Parses and formats the value of a setting. Immutable.
  *
- * @param allowed which values, for people: a clause after "must be"
- * @param read the value of a text; empty if it is not allowed
- * @param write the text of a value
+ * @param allowed a description of the allowed values, worded to follow "must be"
+ * @param read parses a text; returns empty if the value is not allowed
+ * @param write formats a value
  */
 public record SettingCodec<T>(
     String allowed, Function<String, Optional<T>> read, Function<T, String> write) {
 
-  /** Yes or no. */
+  /** Returns the codec for a boolean. */
   public static SettingCodec<Boolean> flag() {
     return new SettingCodec<>(
         "true or false",
@@ -29,7 +29,7 @@ public record SettingCodec<T>(
         value -> Boolean.toString(value));
   }
 
-  /** A number within limits, for properties of type double. */
+  /** Returns the codec for a number within limits, for properties of type double. */
   public static SettingCodec<Number> decimal(double least, double most) {
     return new SettingCodec<>(
         "from " + least + " to " + most,
@@ -38,7 +38,7 @@ public record SettingCodec<T>(
         value -> Double.toString(value.doubleValue()));
   }
 
-  /** A constant of an enum, in small letters. */
+  /** Returns the codec for an enum. Its constants are written in lower case. */
   public static <E extends Enum<E>> SettingCodec<E> constant(Class<E> type) {
     List<E> constants = Arrays.asList(type.getEnumConstants());
     Function<E, String> word = value -> value.name().toLowerCase(Locale.ROOT);

@@ -10,29 +10,34 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import javafx.beans.property.Property;
+import javafx.util.Subscription;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.files.IoReason;
 
 /**
- * Keeps properties in a file. What differs from its default is written soon after it changed; the
- * file is small, so this is done on the JavaFX thread, for which everything here is. Keys that
- * nobody binds stay as they were found: the player does not know all that the simulator remembers.
+ * Stores properties in a file. Values that differ from their defaults are written shortly after a
+ * change. The values of unbound keys stay as they were read, because the player does not bind all
+ * settings of the simulator. Confined to the JavaFX thread; the file is so small that this thread
+ * also writes it.
  */
 public final class Settings {
 
   private static final Logger LOG = LoggerFactory.getLogger(Settings.class);
 
-  /** How long nothing may have changed before it is written [ns]. Decided. */
+  /**
+   * Time without a change after which the file is written [ns]. Decided: a quick succession of
+   * changes is written once.
+   */
   private static final long CALM_NANOS = 1_000_000_000;
 
-  /** What a codec can have written; other lines of a damaged file are not kept. */
+  /** The syntax of keys. Lines with other keys, as in a damaged file, are dropped. */
   private static final Pattern KEY = Pattern.compile("[a-z0-9.-]+");
 
   private static final Pattern TEXT = Pattern.compile("[\\p{Graph}&&[^\\\\]]+");
 
-  /** A property that is kept. */
-  private record Kept<T>(Property<T> property, T preset, SettingCodec<T> codec) {
+  /** A property that is stored. */
+  private record BoundSetting<T>(Property<T> property, T preset, SettingCodec<T> codec) {
 
     Optional<String> text() {
       T value = property.getValue();
@@ -44,7 +49,7 @@ public final class Settings {
 
   private final SettingsFile file;
   private final Map<String, String> found;
-  private final Map<String, Kept<?>> kept = new TreeMap<>();
+  private final Map<String, BoundSetting<?>> kept = new TreeMap<>();
   private boolean changed;
   private Optional<Long> changedNanos = Optional.empty();
   private boolean complained;
@@ -54,12 +59,12 @@ public final class Settings {
     this.found = new HashMap<>(found);
   }
 
-  /** Where this system keeps such files for this user. */
+  /** Returns the path of the settings file for this user on this system. */
   public static Path file() {
     return SettingsFile.usual();
   }
 
-  /** What is in a file; nothing if there is none, or if it cannot be read. */
+  /** Loads a file. The settings are empty if the file does not exist or cannot be read. */
   public static Settings load(Path path) {
     SettingsFile file = new SettingsFile(path);
     try {
@@ -70,18 +75,21 @@ public final class Settings {
     }
   }
 
-  /** Whether nothing is remembered, as at the first start. */
+  /** Returns whether no settings are stored, as at the first start. */
   public boolean isNew() {
     return found.isEmpty();
   }
 
   /**
-   * Gives a property the value that the file has for it, and keeps its value from now on.
+   * Sets a property to the stored value, if there is a valid one, and stores its changes from then
+   * on.
    *
-   * @param property whose present value is the default
+   * @param property a property whose current value is the default
+   * @return a subscription that unbinds the property; the next property that is bound to the key
+   *     gets the same value
    */
-  public <T> void bind(String key, Property<T> property, SettingCodec<T> codec) {
-    if (kept.put(key, new Kept<>(property, property.getValue(), codec)) != null) {
+  public <T> Subscription bind(String key, Property<T> property, SettingCodec<T> codec) {
+    if (kept.put(key, new BoundSetting<>(property, property.getValue(), codec)) != null) {
       throw new IllegalArgumentException("key is " + key + ", but that is bound already");
     }
     String text = found.get(key);
@@ -89,11 +97,11 @@ public final class Settings {
       codec.read().apply(text).ifPresentOrElse(property::setValue, () -> complain(key, codec));
     }
     property.addListener((observed, before, now) -> noteChange());
+    return () -> unbind(key);
   }
 
-  /** Lets go of a property; who binds the key next gets its value. */
-  public void unbind(String key) {
-    Kept<?> before = kept.remove(key);
+  void unbind(String key) {
+    BoundSetting<?> before = kept.remove(key);
     if (before != null) {
       before.text().ifPresentOrElse(text -> found.put(key, text), () -> found.remove(key));
     }
@@ -119,9 +127,9 @@ public final class Settings {
   }
 
   /**
-   * Writes what changed, when nothing has changed for a while; to be called at each beat.
+   * Writes changes once no further change has followed for a while. Must be called at each UI tick.
    *
-   * @param nanos the beat's time [ns]
+   * @param nanos the time of the tick [ns]
    */
   public void beat(long nanos) {
     if (!changed) {
@@ -134,7 +142,7 @@ public final class Settings {
     }
   }
 
-  /** Writes what changed, now; to be called when the window closes. */
+  /** Writes changes immediately. Must be called when the window closes. */
   public void save() {
     if (!changed) {
       return;
@@ -149,7 +157,7 @@ public final class Settings {
     }
   }
 
-  /** What was found and belongs to nobody who is there now. */
+  /** Returns the stored values of keys that are not bound at present. */
   private SortedMap<String, String> unbound() {
     SortedMap<String, String> texts = new TreeMap<>(found);
     texts.keySet().removeAll(kept.keySet());

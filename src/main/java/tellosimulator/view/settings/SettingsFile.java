@@ -17,25 +17,27 @@ import java.util.Properties;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
-/** The file of the settings: keys and values as texts. */
+/** The file in which settings are stored as text keys and values. */
 record SettingsFile(Path path) {
 
-  /** What a larger file holds is no settings [bytes]. Decided: a thousand times what is needed. */
+  /**
+   * Size above which a file is rejected [bytes]. Decided: about a thousand times the usual size.
+   */
   static final int LARGEST = 1 << 20;
 
-  /** The program's name, as folders have it. */
+  /** The name of the program's folders. */
   static final String DIRECTORY = "tello-simulator";
 
   private static final String NAME = "settings.properties";
 
-  /** Where this system keeps such files for this user. */
+  /** Returns the path of the file for this user on this system. */
   static Path usual() {
     return usual(System.getProperty("os.name"), System.getProperty("user.home"), System.getenv());
   }
 
   /**
-   * Where a system keeps such files. Documented: XDG Base Directory Specification, Apple File
-   * System Programming Guide, Windows known folders.
+   * Returns the path of the file on an operating system. Documented: XDG Base Directory
+   * Specification, Apple File System Programming Guide, Windows known folders.
    */
   static Path usual(String system, String home, Map<String, String> environment) {
     String name = system.toLowerCase(Locale.ROOT);
@@ -54,7 +56,7 @@ record SettingsFile(Path path) {
         .resolve(NAME);
   }
 
-  /** A path that a variable of the environment names, if it can count. */
+  /** Returns the path in an environment variable; empty unless it is a valid absolute path. */
   static Optional<Path> absolute(String text) {
     try {
       return Optional.ofNullable(text).map(Path::of).filter(Path::isAbsolute);
@@ -64,9 +66,10 @@ record SettingsFile(Path path) {
   }
 
   /**
-   * What it holds; nothing if there is no such file.
+   * Reads all values; returns an empty map if the file does not exist.
    *
-   * @throws IOException with a clause about the file, if it cannot be read or holds no settings
+   * @throws IOException if the file cannot be read or is malformed; the message may continue a
+   *     sentence about the file, such as "is not a file"
    */
   Map<String, String> read() throws IOException {
     if (Files.notExists(path)) {
@@ -97,9 +100,10 @@ record SettingsFile(Path path) {
   }
 
   /**
-   * Replaces it at one stroke, so that nobody ever finds half a file.
+   * Replaces the file, atomically if the file system allows it, so that no reader sees an
+   * incomplete file.
    *
-   * @throws IOException if it cannot be written; then it is as it was
+   * @throws IOException if the file cannot be written; it is then unchanged
    */
   void write(SortedMap<String, String> values) throws IOException {
     Path target = Files.exists(path) ? path.toRealPath() : path.toAbsolutePath();

@@ -10,22 +10,33 @@ import javafx.geometry.Rectangle2D;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 
-/** Size and place of a window, remembered while it is neither maximised nor full-screen. */
+/**
+ * The size, position and maximised state of a window. Size and position are not saved while the
+ * window is maximised, minimised or in full screen.
+ */
 public final class WindowPlacement {
 
-  /** Size of a first window [pixels]. Documented: nothing is cut off at 1280 by 800. */
+  /**
+   * Default width of a window [pixels]. Documented: nothing is cut off in a window of 1280 by 800.
+   */
   private static final double WIDTH = 1280;
 
+  /** Default height of a window [pixels]. Documented as for {@link #WIDTH}. */
   private static final double HEIGHT = 800;
 
-  /** Limits of what is believed [pixels]. Assumed: beyond any wall of screens. */
+  /** Minimum plausible width and height [pixels]. */
   private static final double SMALLEST = 300;
 
+  /**
+   * Maximum plausible size, and maximum distance from the origin [pixels]. Assumed: larger than any
+   * wall of screens.
+   */
   private static final double LARGEST = 30_000;
 
-  /** What must be seen of a window's upper edge, so that one can take hold of it [pixels]. */
+  /** Width of the part of a window's upper edge by which the user can grab the window [pixels]. */
   private static final double HOLD_WIDTH = 100;
 
+  /** Height of the part of a window's upper edge by which the user can grab the window [pixels]. */
   private static final double HOLD_HEIGHT = 30;
 
   private final DoubleProperty x = new SimpleDoubleProperty(Double.NaN);
@@ -42,7 +53,7 @@ public final class WindowPlacement {
     settings.bind("window.maximised", maximized, SettingCodec.flag());
   }
 
-  /** Puts a window, before it is shown, where it was last time, and remembers where it goes. */
+  /** Restores a window's size and position before it is shown, and saves their changes. */
   public static void remember(Stage stage, Settings settings) {
     WindowPlacement placement = new WindowPlacement(settings);
     List<Rectangle2D> screens = Screen.getScreens().stream().map(Screen::getVisualBounds).toList();
@@ -65,8 +76,8 @@ public final class WindowPlacement {
   }
 
   /**
-   * The screen on which one can take hold of the upper left of a window; empty if there is none, as
-   * when a monitor is gone.
+   * Returns the screen on which the user can grab the upper left of a window; empty if there is
+   * none, for example because a monitor was removed.
    */
   static Optional<Rectangle2D> visible(double x, double y, List<Rectangle2D> screens) {
     return screens.stream()
@@ -87,7 +98,10 @@ public final class WindowPlacement {
     stage.maximizedProperty().addListener((observed, before, now) -> maximized.set(now));
   }
 
-  /** A window that is just being opened, or closed, may be smaller than anybody wants it. */
+  /**
+   * Saves a size, unless it is too small. Windows may be too small while they are being opened or
+   * closed.
+   */
   private static void noteSize(Stage stage, DoubleProperty property, Number value) {
     if (value.doubleValue() >= SMALLEST) {
       note(stage, property, value);

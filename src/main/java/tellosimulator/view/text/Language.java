@@ -12,7 +12,9 @@ import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.words.Phrase;
 import tellosimulator.words.Translation;
 
-/** The language of the window; texts follow it at once. For the JavaFX thread. */
+/**
+ * The language of the window. Texts follow its changes immediately. Confined to the JavaFX thread.
+ */
 public final class Language {
 
   private final ObjectProperty<Locale> locale = new SimpleObjectProperty<>();
@@ -22,12 +24,12 @@ public final class Language {
     this.locale.set(PhraseCatalog.nearest(locale));
   }
 
-  /** One of {@link PhraseCatalog#OFFERED}. */
+  /** The chosen locale: one of {@link PhraseCatalog#OFFERED}. */
   public ObjectProperty<Locale> localeProperty() {
     return locale;
   }
 
-  /** How a language is written in the settings. */
+  /** Returns the codec for a language in the settings. */
   public static SettingCodec<Locale> codec() {
     return new SettingCodec<>(
         "one of "
@@ -39,39 +41,44 @@ public final class Language {
         Locale::getLanguage);
   }
 
-  /** One of {@link PhraseCatalog#OFFERED}. */
+  /** Returns the chosen locale: one of {@link PhraseCatalog#OFFERED}. */
   public Locale locale() {
     return locale.get();
   }
 
-  /** What the simulation says about itself, in the present language. */
+  /** Translates a phrase into the current language. */
   public String say(Phrase phrase) {
     return phrase.in(translation());
   }
 
-  /** Why a file could not be written, in the present language. */
+  /** Returns the reason why a file could not be written, in the current language. */
   public String reason(IOException e) {
     Object reason = IoReason.of(e);
     return reason instanceof Phrase phrase ? say(phrase) : reason.toString();
   }
 
-  /** The present language, for those who make sentences of phrases. */
+  /**
+   * Returns the translation into the current language, for callers that format phrases themselves.
+   */
   public Translation translation() {
     return translations.computeIfAbsent(locale(), PhraseCatalog::of);
   }
 
-  /** The same language for a while; each of them follows the other. */
+  /**
+   * Returns a language for a temporary view. A change of the locale in either object applies to
+   * both.
+   */
   public Language linked() {
     Language other = new Language(locale());
-    other.locale.bindBidirectional(locale); // which holds neither of them in memory
+    other.locale.bindBidirectional(locale); // the binding holds no strong references
     return other;
   }
 
   /**
-   * The texts for the views of a package.
+   * Returns the texts for the views of a package.
    *
    * @param view any class of the package; the texts are in {@code messages.properties} and {@code
-   *     messages_de.properties} beside it
+   *     messages_de.properties} next to it
    */
   public Messages messages(Class<?> view) {
     return new Messages(this, view);

@@ -4,16 +4,16 @@ import java.util.List;
 import javafx.beans.binding.StringBinding;
 
 /**
- * A text of a package's messages with its values: what is wrong with a number that was typed, or
- * why a flight ended. Equal messages say the same. Immutable; for any thread.
+ * A text from a package's messages, with values to insert into the text. For example, it explains
+ * an error in a typed number, or why a flight ended. Equal messages have the same text. Immutable.
  *
- * @param key of the text
- * @param values for its {@code %s}; numbers are texts already, so that ports and the like have no
- *     thousands separator
+ * @param key the key of the text
+ * @param values the values for each {@code %s}; numbers are already formatted, so that ports, for
+ *     example, have no thousands separator
  */
 public record Message(String key, List<String> values) {
 
-  /** Nothing to say. */
+  /** The empty message. */
   public static final Message NONE = of("");
 
   public Message {
@@ -28,12 +28,12 @@ public record Message(String key, List<String> values) {
     return key.isEmpty();
   }
 
-  /** The text, which follows the language. */
+  /** Returns the text as a binding that follows the language. */
   public StringBinding text(Messages messages) {
     return messages.text(key, values.toArray());
   }
 
-  /** The text in the present language; empty for {@link #NONE}. */
+  /** Returns the text in the current language; empty for {@link #NONE}. */
   public String now(Messages messages) {
     return isNone() ? "" : messages.now(key, values.toArray());
   }

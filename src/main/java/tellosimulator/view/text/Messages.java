@@ -11,7 +11,7 @@ import javafx.beans.value.ObservableValue;
 import javafx.scene.control.Label;
 import tellosimulator.words.Phrase;
 
-/** The texts of one package of views, in the language that is chosen. For the JavaFX thread. */
+/** The texts of one package of views in the chosen language. Confined to the JavaFX thread. */
 public final class Messages {
 
   private final Language language;
@@ -25,10 +25,10 @@ public final class Messages {
   }
 
   /**
-   * A text that follows the language.
+   * Returns a text that follows the language.
    *
-   * @param values for the places in it, as {@link Phrase} has them; it follows those that are
-   *     observable
+   * @param values the arguments, formatted as in a {@link Phrase}; if an argument is observable,
+   *     the text follows its changes
    */
   public StringBinding text(String key, Object... values) {
     Observable[] causes =
@@ -41,7 +41,7 @@ public final class Messages {
     return Bindings.createStringBinding(() -> now(key, values), causes);
   }
 
-  /** A label with a text that follows the language. */
+  /** Returns a label with a text that follows the language. */
   public Label label(String key, String... styleClasses) {
     Label label = new Label();
     label.textProperty().bind(text(key));
@@ -49,7 +49,7 @@ public final class Messages {
     return label;
   }
 
-  /** A text in the present language. */
+  /** Returns a text in the current language. */
   public String now(String key, Object... values) {
     Object[] present = Arrays.stream(values).map(Messages::valueOf).toArray();
     return Phrase.format(locale(), bundle().getString(key), present);

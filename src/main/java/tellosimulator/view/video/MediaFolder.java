@@ -10,46 +10,52 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Folders for the pictures and films of a person: below the folder that the system has for them, if
- * there is one. Immutable; for any thread.
+ * The folders for a user's pictures and videos. They are inside the operating system's own folders
+ * for pictures and videos if these exist, and otherwise inside the user's home folder. Immutable.
  *
- * @param home the person's folder
+ * @param home the user's home folder
  */
 public record MediaFolder(Path home) {
 
-  /** Its name in each of the system's folders. */
+  /** The name of the folder inside each of the system's folders. */
   private static final String FOLDER = "Tello Simulator";
 
-  /** Documented: the names in the file system on all systems, unless Linux translates them. */
+  /**
+   * Candidate names of the pictures folder. Documented: these are the names in the file system on
+   * all systems, unless a Linux desktop translates them.
+   */
   private static final List<String> FOR_PICTURES = List.of("Pictures", "Bilder");
 
-  /** Documented: Windows and Linux call it Videos, macOS Movies. */
+  /**
+   * Candidate names of the videos folder. Documented: Windows and Linux call it Videos, macOS
+   * Movies.
+   */
   private static final List<String> FOR_FILMS = List.of("Videos", "Movies");
 
   private static final DateTimeFormatter MOMENT =
       DateTimeFormatter.ofPattern("uuuu-MM-dd_HH-mm-ss", Locale.ROOT);
 
-  /** That of the person who runs the program. */
+  /** Returns the folders of the current user. */
   public static MediaFolder ofUser() {
     return new MediaFolder(Path.of(System.getProperty("user.home")));
   }
 
   /**
-   * A file for a picture, which does not exist yet; its folder does. Others may be given the same
-   * until it does.
+   * Returns an unused file for a picture; creates the folder if necessary. Other callers may get
+   * the same name until the file exists.
    *
-   * @param drone that took it
-   * @throws IOException if there can be no folder
+   * @param drone the number of the drone
+   * @throws IOException if the folder cannot be created
    */
   Path picture(int drone, LocalDateTime moment) throws IOException {
     return free(folder(FOR_PICTURES), drone, moment, ".png");
   }
 
   /**
-   * A file for a film, which does not exist yet; its folder does.
+   * Returns an unused file for a video; creates the folder if necessary.
    *
-   * @param drone that took it
-   * @throws IOException if there can be no folder
+   * @param drone the number of the drone
+   * @throws IOException if the folder cannot be created
    */
   Path film(int drone, LocalDateTime moment) throws IOException {
     return free(folder(FOR_FILMS), drone, moment, ".mp4");

@@ -9,21 +9,27 @@ import org.jcodec.codecs.png.PNGEncoder;
 import org.jcodec.common.model.ColorSpace;
 import tellosimulator.video.picture.Picture;
 
-/** Writes pictures as PNG, which loses nothing of what is on the screen. For any thread. */
+/** Writes pictures as lossless PNG files. Thread-safe. */
 final class PngWriter {
 
-  /** Documented: JCodec's pictures have signed bytes, of which -128 is black. */
+  /**
+   * Value that is subtracted from each sample. Documented: JCodec's pictures have signed bytes, in
+   * which -128 is black.
+   */
   private static final int BLACK = 128;
 
-  /** Bytes around the pixels, which JCodec does not count. Decided: ten times what they are. */
+  /**
+   * Allowance for the PNG structure around the pixels [bytes]. JCodec's estimate covers only the
+   * pixels. Decided: ten times the actual size.
+   */
   private static final int FRAME = 1024;
 
   private PngWriter() {}
 
   /**
-   * Writes a file, which must not exist yet. It takes its time.
+   * Writes a file, which must not exist yet. Writing takes a while.
    *
-   * @throws IOException if it cannot be written
+   * @throws IOException if the file cannot be written
    */
   static void write(Picture picture, Path file) throws IOException {
     ByteBuffer bytes = encoded(picture);

@@ -9,30 +9,31 @@ import tellosimulator.video.picture.Picture;
 
 /**
  * Passes the newest picture of a stream to another thread by triple buffering: one buffer is being
- * written, one is being read, and one holds the newest complete picture. One thread writes, one
- * other reads, and neither ever waits.
+ * written, one is being read, and one holds the newest complete picture. One thread writes, another
+ * one reads, and neither ever waits.
  */
 final class TripleBuffer implements VideoWatcher {
 
   /**
    * A copy of a picture.
    *
-   * @param fresh whether nobody has seen it yet
+   * @param fresh whether the picture has not been read yet
    */
-  record Kept(Picture picture, VideoFigures figures, boolean fresh) {
+  record BufferedPicture(Picture picture, VideoFigures figures, boolean fresh) {
 
-    private static Kept nothing() {
-      return new Kept(new Picture(2, 2), VideoFigures.NONE, false);
+    private static BufferedPicture nothing() {
+      return new BufferedPicture(new Picture(2, 2), VideoFigures.NONE, false);
     }
 
-    private Kept seen() {
-      return new Kept(picture, figures, false);
+    private BufferedPicture seen() {
+      return new BufferedPicture(picture, figures, false);
     }
   }
 
-  private final AtomicReference<Kept> between = new AtomicReference<>(Kept.nothing());
-  private Kept written = Kept.nothing();
-  private Kept read = Kept.nothing();
+  private final AtomicReference<BufferedPicture> between =
+      new AtomicReference<>(BufferedPicture.nothing());
+  private BufferedPicture written = BufferedPicture.nothing();
+  private BufferedPicture read = BufferedPicture.nothing();
 
   /** Copies the picture. */
   @Override
@@ -43,11 +44,14 @@ final class TripleBuffer implements VideoWatcher {
       copy = new Picture(source.width(), source.height());
     }
     copy.set(source);
-    written = between.getAndSet(new Kept(copy, filmed.figures(), true));
+    written = between.getAndSet(new BufferedPicture(copy, filmed.figures(), true));
   }
 
-  /** The newest picture, if it has not been taken before; valid until the next call. */
-  Optional<Kept> take() {
+  /**
+   * Returns the newest picture, unless it has already been taken. The picture is valid until the
+   * next call.
+   */
+  Optional<BufferedPicture> take() {
     if (!between.get().fresh) {
       return Optional.empty();
     }

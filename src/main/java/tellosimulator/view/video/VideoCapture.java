@@ -28,8 +28,8 @@ import tellosimulator.video.picture.Picture;
 import tellosimulator.words.Phrase;
 
 /**
- * Saves pictures of a drone's video as files: one as PNG, or many as MP4. For the JavaFX thread,
- * but for {@link #close}.
+ * Saves a drone's video: single pictures as PNG files, or a recording as an MP4 file. Confined to
+ * the JavaFX thread, except {@link #close}.
  */
 public final class VideoCapture implements AutoCloseable {
 
@@ -47,15 +47,17 @@ public final class VideoCapture implements AutoCloseable {
   private long begunNanos;
 
   /**
-   * What is kept.
+   * The source of the pictures.
    *
-   * @param drone its number, from 1
-   * @param powered whether it is on
+   * @param drone the number of the drone, from 1
+   * @param powered whether the drone is on
    */
   record Source(int drone, VideoStream stream, BooleanSupplier powered) {}
 
   /**
-   * @param reports is told what became of pictures and films, on any thread
+   * Creates a capture.
+   *
+   * @param reports receives the result for each file, on any thread
    */
   VideoCapture(Source source, MediaFolder folder, Consumer<Report> reports) {
     this.source = source;
@@ -63,17 +65,17 @@ public final class VideoCapture implements AutoCloseable {
     this.reports = reports;
   }
 
-  /** Whether a film is being recorded. */
+  /** Whether a recording is in progress. */
   public ReadOnlyBooleanProperty recordingProperty() {
     return recording.getReadOnlyProperty();
   }
 
-  /** How long it has been recorded [s]. */
+  /** The duration of the recording [s]. */
   public ReadOnlyIntegerProperty secondsProperty() {
     return seconds.getReadOnlyProperty();
   }
 
-  /** Saves the next picture. */
+  /** Saves the next picture of the stream. */
   public void saveStill() {
     LocalDateTime moment = LocalDateTime.now(ZoneId.systemDefault());
     NextPicture.take(
@@ -93,7 +95,7 @@ public final class VideoCapture implements AutoCloseable {
     }
   }
 
-  /** Writes a picture into a file of its own, though others look for a name at the same time. */
+  /** Writes a picture to a new file, even if other writers try the same name at the same time. */
   private Path written(Picture picture, LocalDateTime moment) throws IOException {
     while (true) {
       Path file = folder.picture(source.drone, moment);
@@ -106,7 +108,7 @@ public final class VideoCapture implements AutoCloseable {
     }
   }
 
-  /** Begins a film, or ends it. A drone that is off films nothing. */
+  /** Starts or stops a recording. A drone that is off cannot be recorded. */
   public void toggleRecording() {
     if (film.isPresent()) {
       end();
@@ -132,7 +134,10 @@ public final class VideoCapture implements AutoCloseable {
     }
   }
 
-  /** Counts the seconds, and ends a film that does not go on; called once a pulse. */
+  /**
+   * Updates the duration, and stops a recording that has failed or whose drone is off. Must be
+   * called once per UI tick.
+   */
   void advance() {
     if (film.isEmpty()) {
       return;
@@ -149,7 +154,7 @@ public final class VideoCapture implements AutoCloseable {
     recording.set(false);
   }
 
-  /** Ends a film and waits until all pictures are saved. For any thread. */
+  /** Stops the recording, and waits until all pictures have been saved. Thread-safe. */
   @Override
   public void close() {
     closeFilm();
@@ -189,7 +194,7 @@ public final class VideoCapture implements AutoCloseable {
     reports.accept(new Report(source.drone, good, phrase));
   }
 
-  /** Waits for the next picture of a stream, of which it hands over a copy. For any thread. */
+  /** Waits for the next picture of a stream and passes on a copy. Thread-safe. */
   private static final class NextPicture implements VideoWatcher {
 
     private final AtomicBoolean waiting = new AtomicBoolean(true);
@@ -202,9 +207,9 @@ public final class VideoCapture implements AutoCloseable {
     }
 
     /**
-     * Lets the next picture be taken.
+     * Requests the next picture.
      *
-     * @param taker called on the video thread, once
+     * @param taker called once, on the video thread
      */
     static void take(VideoStream stream, Consumer<Picture> taker) {
       stream.watch(new NextPicture(stream, taker));
@@ -220,10 +225,10 @@ public final class VideoCapture implements AutoCloseable {
   }
 
   /**
-   * What became of a picture or a film that a person wanted to keep.
+   * The result of saving a picture or a recording.
    *
-   * @param drone its number, from 1
-   * @param good whether it is kept
+   * @param drone the number of the drone, from 1
+   * @param good whether the picture or recording was saved
    */
   public record Report(int drone, boolean good, Phrase phrase) {}
 }

@@ -8,11 +8,11 @@ import tellosimulator.video.VideoFigures;
 import tellosimulator.video.VideoStream;
 import tellosimulator.video.picture.Picture;
 import tellosimulator.view.fx.ScreenPixels;
-import tellosimulator.view.video.TripleBuffer.Kept;
+import tellosimulator.view.video.TripleBuffer.BufferedPicture;
 
 /**
- * Shows the pictures of a drone's stream as they are made, the very ones that are encoded. Costs
- * nothing while it watches no stream. For the JavaFX thread.
+ * Shows the rendered pictures of a drone's stream, before they are encoded. A view that does not
+ * watch a stream takes no processor time. Confined to the JavaFX thread.
  */
 public final class VideoView extends ImageView {
 
@@ -24,12 +24,12 @@ public final class VideoView extends ImageView {
   /** A stream and its newest picture. */
   private record Watched(VideoStream stream, TripleBuffer newest) {}
 
-  /** Watches nothing yet. */
+  /** Creates a view that does not watch a stream yet. */
   public VideoView() {
     setPreserveRatio(true);
   }
 
-  /** Shows the pictures of a stream from now on, and no longer those of the one before. */
+  /** Shows the pictures of a stream instead of the previous one. */
   public void watch(VideoStream stream) {
     rest();
     Watched now = new Watched(stream, new TripleBuffer());
@@ -37,7 +37,7 @@ public final class VideoView extends ImageView {
     stream.watch(now.newest);
   }
 
-  /** Shows no more pictures. */
+  /** Stops showing pictures. */
   public void rest() {
     watched.ifPresent(before -> before.stream.ignore(before.newest));
     watched = Optional.empty();
@@ -45,17 +45,17 @@ public final class VideoView extends ImageView {
     figures.set(VideoFigures.NONE);
   }
 
-  /** How the stream goes; none while nothing is shown. */
+  /** The figures of the stream; {@link VideoFigures#NONE} while no stream is watched. */
   public ReadOnlyObjectProperty<VideoFigures> figuresProperty() {
     return figures.getReadOnlyProperty();
   }
 
-  /** Shows the newest picture, if there is a new one. */
+  /** Shows the newest picture, if it is not shown yet. */
   public void advance() {
     watched.flatMap(now -> now.newest.take()).ifPresent(this::show);
   }
 
-  private void show(Kept kept) {
+  private void show(BufferedPicture kept) {
     Picture picture = kept.picture();
     boolean whole = needsAll(picture);
     int parts = whole ? 1 : 2;
@@ -72,7 +72,10 @@ public final class VideoView extends ImageView {
     figures.set(kept.figures());
   }
 
-  /** Whether half as many pixels a row would be fewer than the screen shows. */
+  /**
+   * Returns whether half of the picture's pixels per row would be too few for the view's width on
+   * the screen.
+   */
   private boolean needsAll(Picture picture) {
     double scale =
         getScene() == null || getScene().getWindow() == null

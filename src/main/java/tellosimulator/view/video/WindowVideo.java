@@ -14,7 +14,9 @@ import tellosimulator.video.VideoStreams;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.codec.H264Encoder;
 
-/** The video of all drones, as a window shows and keeps it. For any thread. */
+/**
+ * The video of all drones, as a window shows and saves it. Thread-safe, except {@link #advance}.
+ */
 public final class WindowVideo implements AutoCloseable {
 
   private final Supplier<SimSnapshot> snapshots;
@@ -25,11 +27,11 @@ public final class WindowVideo implements AutoCloseable {
   private volatile Consumer<VideoCapture.Report> reports = report -> {};
 
   /**
-   * Films nothing before somebody wants pictures.
+   * Creates the video of all drones. Nothing is rendered until pictures are requested.
    *
-   * @param snapshots the newest one
-   * @param optics of the drones' cameras
-   * @param folder where pictures are kept
+   * @param snapshots supplies the newest snapshot
+   * @param optics the optics of the drones' cameras
+   * @param folder the folders for saved pictures and videos
    */
   public WindowVideo(Supplier<SimSnapshot> snapshots, DroneOptics optics, MediaFolder folder) {
     this(snapshots, optics, folder, () -> WireTap.NONE);
@@ -50,7 +52,7 @@ public final class WindowVideo implements AutoCloseable {
             .toList();
   }
 
-  /** The video of a running simulation, whose drones film when they are told to. */
+  /** Returns the video of a running simulation. On command, the drones also stream to operators. */
   public static WindowVideo of(
       OnlineSimulation simulation, DroneOptics optics, MediaFolder folder) {
     WindowVideo video = new WindowVideo(simulation::snapshot, optics, folder, simulation::tap);
@@ -69,42 +71,45 @@ public final class WindowVideo implements AutoCloseable {
     return snapshots.get().drones().get(drone - 1).state().phase() != FlightPhase.OFF;
   }
 
-  /** The video of all drones. */
+  /** Returns the streams of all drones. */
   public VideoStreams streams() {
     return streams;
   }
 
-  /** The video of a drone. */
+  /** Returns the stream of a drone. */
   public VideoStream stream(int drone) {
     return streams.stream(drone);
   }
 
-  /** Keeps pictures of a drone. */
+  /** Returns the capture of a drone's pictures. */
   public VideoCapture capture(int drone) {
     return captures.get(drone - 1);
   }
 
-  /** The optics of the drones' cameras. */
+  /** Returns the optics of the drones' cameras. */
   public DroneOptics optics() {
     return optics;
   }
 
-  /** Tells somebody what became of pictures that were to be kept, on any thread. */
+  /** Sets the listener for the results of saving pictures. It is called on any thread. */
   public void onReport(Consumer<VideoCapture.Report> listener) {
     reports = listener;
   }
 
-  /** What makes the scenes that drones film; whoever draws them too shares its textures. */
+  /**
+   * Returns the builder of the scenes that drones film. Other renderers that use this builder share
+   * its textures.
+   */
   public SceneBuilder scenes() {
     return cameras.scenes();
   }
 
-  /** Moves on what a window shows; called once a pulse, on the JavaFX thread. */
+  /** Updates the state of the recordings. Must be called once per UI tick, on the JavaFX thread. */
   public void advance() {
     captures.forEach(VideoCapture::advance);
   }
 
-  /** Ends all streams and films, and waits until they have ended. */
+  /** Stops all streams and recordings, and waits until they have ended. */
   @Override
   public void close() {
     streams.close();

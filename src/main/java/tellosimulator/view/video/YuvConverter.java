@@ -4,36 +4,36 @@ import tellosimulator.video.picture.Picture;
 
 /**
  * Converts pictures from Y'CbCr (ITU-R BT.601, luma from 16 to 235) to opaque ARGB with 8 bits for
- * each component. For any thread.
+ * each component. Thread-safe.
  */
 final class YuvConverter {
 
-  /** Binary places of the factors. */
+  /** Number of fractional bits in the factors. */
   private static final int PLACES = 16;
 
   private static final int HALF = 1 << (PLACES - 1);
 
-  /** Factor of the brightness: 255 / 219. */
+  /** Scale factor for luma: 255 / 219. */
   private static final int LUMA = fixed(255 / 219.0);
 
-  /** Red of the red difference: 2 (1 - 0.299) 255 / 224. Documented: ITU-R BT.601-7, 2.5. */
+  /** Factor from Cr to red: 2 (1 - 0.299) 255 / 224. Documented: ITU-R BT.601-7, 2.5. */
   private static final int RED = fixed(1.402 * 255 / 224);
 
-  /** Blue of the blue difference: 2 (1 - 0.114) 255 / 224. */
+  /** Factor from Cb to blue: 2 (1 - 0.114) 255 / 224. */
   private static final int BLUE = fixed(1.772 * 255 / 224);
 
-  /** Green of the blue difference: 0.114 / 0.587 of the blue. */
+  /** Factor from Cb to green: 0.114 / 0.587 times the factor to blue. */
   private static final int GREEN_OF_U = fixed(1.772 * 255 / 224 * 0.114 / 0.587);
 
-  /** Green of the red difference: 0.299 / 0.587 of the red. */
+  /** Factor from Cr to green: 0.299 / 0.587 times the factor to red. */
   private static final int GREEN_OF_V = fixed(1.402 * 255 / 224 * 0.299 / 0.587);
 
   private YuvConverter() {}
 
   /**
-   * All pixels.
+   * Converts all pixels.
    *
-   * @param argb gets them, row by row
+   * @param argb receives the pixels row by row
    */
   static void whole(Picture picture, int[] argb) {
     byte[] luma = picture.y();
@@ -55,10 +55,10 @@ final class YuvConverter {
   }
 
   /**
-   * The picture half as wide and half as high, each pixel the mean of four: a fourth of the work,
-   * and made smaller like this it looks better than if a screen leaves pixels out.
+   * Converts to half the width and height; each pixel is the mean of four. This is a quarter of the
+   * work, and looks better than if pixels were dropped when the picture is scaled on the screen.
    *
-   * @param argb gets the pixels, row by row
+   * @param argb receives the pixels row by row
    */
   static void half(Picture picture, int[] argb) {
     byte[] luma = picture.y();
@@ -83,7 +83,10 @@ final class YuvConverter {
     }
   }
 
-  /** Four numbers in a row, because an object for each pixel would cost more than the rest. */
+  /**
+   * Returns an ARGB pixel. Takes four numbers, because an object for each pixel would cost more
+   * than the conversion.
+   */
   private static int pixel(int brightness, int red, int green, int blue) {
     int light = LUMA * brightness;
     return 255 << 24

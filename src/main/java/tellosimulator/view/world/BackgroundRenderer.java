@@ -15,8 +15,8 @@ import tellosimulator.video.camera.RenderCache;
 import tellosimulator.video.camera.SoftwareCamera;
 
 /**
- * Renders frames with the software camera, one after the other, on a thread of its own. Nobody ever
- * waits for it. Called by one thread.
+ * Renders frames with the software camera, one at a time, on its own thread. No method blocks. All
+ * methods must be called on the same thread.
  */
 final class BackgroundRenderer implements AutoCloseable {
 
@@ -34,23 +34,26 @@ final class BackgroundRenderer implements AutoCloseable {
       this.argb = argb;
     }
 
-    /** Pixels. */
+    /** Returns the width in pixels. */
     int width() {
       return intrinsics.width();
     }
 
-    /** Pixels. */
+    /** Returns the height in pixels. */
     int height() {
       return intrinsics.height();
     }
 
-    /** Row by row, 8 bits each for alpha, red, green and blue; itself, not a copy. */
+    /**
+     * Returns the pixels row by row, with 8 bits each for alpha, red, green and blue. The array is
+     * not a copy.
+     */
     int[] argb() {
       return argb;
     }
   }
 
-  /** All that decides what a frame looks like. */
+  /** Everything that determines the content of a frame. */
   private record Job(Scene scene, PinholeCamera camera) {}
 
   private final SoftwareCamera camera = new SoftwareCamera(new RenderCache(ColorSpace.RGB));
@@ -69,17 +72,22 @@ final class BackgroundRenderer implements AutoCloseable {
     worker = Worker.start("window-renderer", new Rendering());
   }
 
-  /** Whether it renders, or has rendered what nobody has taken yet. */
+  /** Returns whether a frame is being rendered, or a rendered frame has not been taken yet. */
   boolean busy() {
     return busy;
   }
 
-  /** Whether the frame that was asked for last looks as the one before, and was not rendered. */
+  /**
+   * Returns whether the last requested frame was not rendered, because it equals the previous one.
+   */
   boolean settled() {
     return settled;
   }
 
-  /** Renders a frame, unless it would look as the one before. Not while it is busy. */
+  /**
+   * Starts to render a frame, unless it would equal the previous one. Must not be called while
+   * busy.
+   */
   void render(Scene scene, PinholeCamera viewpoint) {
     settled = false;
     busy = true;
@@ -87,7 +95,10 @@ final class BackgroundRenderer implements AutoCloseable {
     ticker.wake();
   }
 
-  /** The newest frame, if nobody has taken it; valid until the next one is rendered. */
+  /**
+   * Returns the newest frame, unless it has been taken already. The frame is valid until the next
+   * one is rendered.
+   */
   Optional<Rendered> take() {
     Optional<Rendered> taken = rendered.getAndSet(Optional.empty());
     if (taken.isPresent()) {
@@ -114,7 +125,7 @@ final class BackgroundRenderer implements AutoCloseable {
 
     @Override
     public ErrorPolicy onError(Throwable failure) {
-      frameBuffer = NOTHING; // the memory that it takes may be what is missing
+      frameBuffer = NOTHING; // memory may have run out
       argb = NO_PIXELS;
       last = Optional.empty();
       busy = false;
@@ -125,7 +136,7 @@ final class BackgroundRenderer implements AutoCloseable {
   private void attempt(Job job) {
     Optional<Rendered> now = rendered(job);
     if (now.isPresent()) {
-      rendered.set(now); // from here on, who takes it says when this is no longer busy
+      rendered.set(now); // stays busy until the frame is taken
     } else {
       busy = false;
     }
@@ -147,7 +158,7 @@ final class BackgroundRenderer implements AutoCloseable {
     return Optional.of(new Rendered(intrinsics, argb));
   }
 
-  /** Ends the thread after the frame that it renders. */
+  /** Stops the thread after the frame in progress. */
   @Override
   public void close() {
     worker.end();

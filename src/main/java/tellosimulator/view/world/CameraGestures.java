@@ -9,15 +9,16 @@ import javafx.scene.input.ZoomEvent;
 import javafx.scene.layout.Region;
 
 /**
- * Moves the simulator camera by mouse, touchpad and touch: the left button turns, the right button
- * or the pressed wheel shifts, scrolling zooms; Ctrl makes each fine, Shift strong.
+ * Moves the simulator camera by mouse, touchpad and touch: the left button rotates, the right
+ * button or the pressed wheel pans, and scrolling zooms. Movements are finer with Ctrl and coarser
+ * with Shift.
  */
 final class CameraGestures {
 
-  /** Decided. */
+  /** Factor for movements with Ctrl. Decided. */
   static final double FINE = 0.15;
 
-  /** Decided. */
+  /** Factor for movements with Shift. Decided. */
   static final double STRONG = 5;
 
   private final Region picture;
@@ -30,7 +31,7 @@ final class CameraGestures {
     this.camera = camera;
   }
 
-  /** Lets gestures on a picture move a camera. */
+  /** Makes the gestures on a node move the camera. */
   static void install(Region picture, SimulatorCamera camera) {
     CameraGestures gestures = new CameraGestures(picture, camera);
     picture.addEventHandler(MouseEvent.MOUSE_PRESSED, gestures::press);
@@ -40,7 +41,7 @@ final class CameraGestures {
     picture.addEventHandler(RotateEvent.ROTATE, gestures::rotate);
   }
 
-  /** By how much a movement counts. */
+  /** Returns the factor by which a movement is multiplied. */
   static double strength(boolean fine, boolean strong) {
     return fine ? FINE : strong ? STRONG : 1;
   }
@@ -68,7 +69,7 @@ final class CameraGestures {
   private void scroll(ScrollEvent event) {
     double strength = strength(event);
     if (event.isDirect()) {
-      if (event.getTouchCount() > 1) { // one finger is a mouse too, which turns
+      if (event.getTouchCount() > 1) { // one finger is reported as a mouse drag
         camera.shift(
             event.getDeltaX() * strength, event.getDeltaY() * strength, picture.getHeight());
       }
@@ -78,7 +79,9 @@ final class CameraGestures {
     event.consume();
   }
 
-  /** With Shift, JavaFX turns the wheel sideways. */
+  /**
+   * Returns the scrolled distance [px]. JavaFX reports the wheel as horizontal while Shift is held.
+   */
   private static double pixels(ScrollEvent event) {
     return event.getDeltaY() == 0 && event.isShiftDown() ? event.getDeltaX() : event.getDeltaY();
   }

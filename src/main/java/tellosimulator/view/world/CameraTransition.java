@@ -1,9 +1,9 @@
 package tellosimulator.view.world;
 
-/** A camera's smooth move from one orbit to another. For one thread. */
+/** Moves a camera smoothly from one orbit to another. Not thread-safe. */
 final class CameraTransition {
 
-  /** How long it takes [s]. Decided: long enough to see from where one comes. */
+  /** Duration of a transition [s]. Decided: long enough to see where the camera comes from. */
   static final double SECONDS = 0.3;
 
   private final Orbit from;
@@ -15,9 +15,10 @@ final class CameraTransition {
   }
 
   /**
-   * Lets time pass. The first time it only begins: an idle window may have slept until then.
+   * Advances the time. The first call only starts the transition, because the window may have been
+   * idle until then.
    *
-   * @param seconds since the last call
+   * @param seconds the time since the last call [s]
    */
   void advance(double seconds) {
     elapsed += begun ? seconds : 0;
@@ -28,7 +29,10 @@ final class CameraTransition {
     return elapsed >= SECONDS;
   }
 
-  /** Where the camera is now on its way: a smooth step, which begins and ends at rest. */
+  /**
+   * Returns the current orbit on the way to another one. A smoothstep makes the motion start and
+   * end at rest.
+   */
   Orbit towards(Orbit to) {
     double part = Math.min(1, elapsed / SECONDS);
     return from.towards(to, part * part * (3 - 2 * part));

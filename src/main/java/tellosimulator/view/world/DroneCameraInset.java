@@ -27,23 +27,31 @@ import tellosimulator.view.video.VideoView;
 import tellosimulator.view.video.WindowVideo;
 
 /**
- * The selected drone's video in a corner over the scene: the very pictures that are encoded, with
- * figures as a hint. Hidden, it is one small button and costs nothing. For the JavaFX thread.
+ * The selected drone's video in a corner of the scene. The encoder receives the same pictures. The
+ * tooltip shows the stream's frame rate, bit rate and processing times. A hidden inset is only a
+ * small button, and takes no processor time. Confined to the JavaFX thread.
  */
 final class DroneCameraInset extends StackPane {
 
   private static final PseudoClass RECORDING = PseudoClass.getPseudoClass("recording");
   private static final PseudoClass SHOWN = PseudoClass.getPseudoClass("shown");
 
-  /** Size of what is shown [pixels]. Decided: half and almost all of a picture's form. */
+  /**
+   * Normal width [px]; when enlarged, {@link #LARGE}. Decided: both are less than 480, half the
+   * width of a picture, so that pictures can be converted at half their resolution on an unscaled
+   * screen.
+   */
   private static final double SMALL = 240;
 
   private static final double LARGE = 400;
 
-  /** Height of a picture by its width. Measured: 960 by 720. */
+  /** Height of a picture divided by its width. Measured: pictures are 960 by 720 pixels. */
   private static final double FORM = 0.75;
 
-  /** Time between two looks at the figures [ns]. Decided: four a second, so one can read them. */
+  /**
+   * Time between two updates of the figures [ns]. Decided: four updates a second, so that the
+   * figures can be read.
+   */
   private static final long PERIOD_NANOS = 250_000_000;
 
   private static final Duration TOOLTIP_DELAY = Duration.millis(400);
@@ -101,7 +109,7 @@ final class DroneCameraInset extends StackPane {
     }
   }
 
-  /** Shows no more pictures. */
+  /** Stops showing pictures. */
   void rest() {
     picture.rest();
   }
@@ -150,7 +158,7 @@ final class DroneCameraInset extends StackPane {
     return video.capture(simulation.selected().number());
   }
 
-  /** Whether somebody sees the picture. */
+  /** Returns whether the picture is visible. */
   private boolean watched() {
     return shown.get() && isVisible();
   }
@@ -192,7 +200,7 @@ final class DroneCameraInset extends StackPane {
                 now ? "inset.reduce" : "inset.enlarge"));
   }
 
-  /** While a film is recorded one sees that, though the inset be hidden. */
+  /** Keeps the record button visible during a recording, even if the inset is hidden. */
   private void bindRecord(ObservableValue<VideoCapture> keeper) {
     ObservableValue<Boolean> recording = keeper.flatMap(VideoCapture::recordingProperty);
     ObservableValue<Number> seconds = keeper.flatMap(VideoCapture::secondsProperty);

@@ -11,7 +11,7 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * The names of the faults that act on each drone, below it in the picture of the room. For the
+ * Shows a label below each drone in the 3D scene, with the drone's active faults. Confined to the
  * JavaFX thread.
  */
 final class FaultTags extends Pane {
@@ -28,9 +28,9 @@ final class FaultTags extends Pane {
   }
 
   /**
-   * Follows the drones.
+   * Updates the labels' texts and positions.
    *
-   * @param viewpoint from where they are seen; empty for no tags
+   * @param viewpoint the viewpoint from which the drones are seen; empty hides all labels
    */
   void advance(SimSnapshot snapshot, Optional<Viewpoint> viewpoint) {
     for (int i = 0; i < tags.size(); i++) {

@@ -1,23 +1,24 @@
 package tellosimulator.view.world;
 
 /**
- * Monitors whether a picture is fluent while something moves in it. Pauses between frames, as those
- * of an idle window, do not count, nor do the first seconds, in which code is still compiled. For
- * one thread.
+ * Monitors whether the scene is rendered smoothly while something moves. Pauses between frames do
+ * not count, because an idle window draws rarely. The first seconds do not count either, because
+ * code is still being compiled. Not thread-safe.
  */
 final class FrameRateMonitor {
 
-  /** Fewest frames a second of a fluent picture. Decided: those of films. */
+  /** Lowest frame rate that counts as smooth [1/s]. Decided: the frame rate of cinema films. */
   static final double LEAST_RATE = 24;
 
-  /** Time of movement before it is judged [ns]. Decided. */
+  /** Duration of movement before the first measurement [ns]. Decided. */
   static final long WARM_UP = 6_000_000_000L;
 
-  /** How long it is watched for a judgement [ns]. Decided: longer than anything that disturbs. */
+  /** Duration of a measurement [ns]. Decided: longer than any single disturbance. */
   static final long PERIOD = 5_000_000_000L;
 
   /**
-   * No frame for this long is a pause [ns]. Decided: less than between frames of an idle window.
+   * Minimum time between two frames that counts as a pause [ns]. Decided: shorter than the interval
+   * between the ticks of an idle window.
    */
   private static final long PAUSE = 450_000_000;
 
@@ -30,9 +31,9 @@ final class FrameRateMonitor {
   private boolean jerky;
 
   /**
-   * A frame is shown.
+   * Counts a frame that is shown.
    *
-   * @param nanos of any steady clock [ns]
+   * @param nanos the time of any monotonic clock [ns]
    */
   void frame(long nanos) {
     long passed = last == Long.MIN_VALUE ? PAUSE : nanos - last;
@@ -53,12 +54,12 @@ final class FrameRateMonitor {
     }
   }
 
-  /** Whether the picture was not fluent when it was judged last. */
+  /** Returns whether the last measurement was below {@link #LEAST_RATE}. */
   boolean jerky() {
     return jerky;
   }
 
-  /** Judges anew, after another warm-up. */
+  /** Restarts the measurement with another warm-up. */
   void restart() {
     moved = 0;
     watched = 0;

@@ -19,22 +19,28 @@ import tellosimulator.view.world.Orbit.Offset;
 import tellosimulator.world.Arena;
 
 /**
- * Fits the whole scene into what is free of the picture, and knows when it must be fitted anew:
- * when room, starts, goals, picture or panels have changed, or a drone has left the picture. For
- * one thread.
+ * Fits the whole scene into the uncovered part of the view, and detects when this must be repeated:
+ * when the room, starts, goals, view or panels change, or when a drone leaves the view. Not
+ * thread-safe.
  */
 final class Framing {
 
-  /** Free air over a drone for which the camera went back [m]. Decided: it may fly on a little. */
+  /**
+   * Space to include above a drone that has left the view [m]. Decided: allows the drone to climb a
+   * little further.
+   */
   private static final double AIR = 0.5;
 
-  /** In how many steps a part grows. Decided: an eighth of what panels cover can be told. */
+  /**
+   * Number of steps in which a free part is extended behind controls. Decided: even an eighth of
+   * the covered area makes a visible difference.
+   */
   private static final int STEPS = 8;
 
-  /** What differs by less is the same distance [m]. Decided: nobody sees it. */
+  /** Difference below which distances count as equal [m]. Decided: not visible. */
   private static final double SAME = 1e-6;
 
-  /** What has been fitted. */
+  /** The contents that a fit includes. */
   private record Subject(
       Arena arena, List<Pose> starts, List<Goal> goals, Map<Integer, Vec3> astray) {}
 
@@ -46,7 +52,9 @@ final class Framing {
   private Subject fitted = new Subject(Arena.DEFAULT, List.of(), List.of(), Map.of());
 
   /**
-   * @param fieldOfView from top to bottom of the picture [rad]
+   * Creates a framing that has not fitted anything yet.
+   *
+   * @param fieldOfView the angle from top to bottom of the view [rad]
    */
   Framing(double fieldOfView) {
     this.fieldOfView = fieldOfView;
@@ -60,23 +68,26 @@ final class Framing {
     picture = newPicture;
   }
 
-  /** Also shows where these are. */
+  /** Sets the goals that a fit includes. */
   void setGoals(List<Goal> newGoals) {
     goals = List.copyOf(newGoals);
   }
 
-  /** Whether the scene must be fitted anew. */
+  /** Returns whether the scene must be fitted again. */
   boolean stale(SimSnapshot snapshot) {
     return !picture.isEmpty()
         && !(picture.equals(fittedPicture) && subject(snapshot).equals(fitted));
   }
 
-  /** Whether it is only seen in a picture of another size. */
+  /** Returns whether the size of the view has changed since the last fit. */
   boolean resized() {
     return !picture.size().equals(fittedPicture.size());
   }
 
-  /** Drones that have left a picture belong to what must be seen, until the next fresh start. */
+  /**
+   * Detects drones that have left the view. Later fits include these drones, until {@link
+   * #fitAfresh} is called.
+   */
   void watch(SimSnapshot snapshot, Viewpoint viewpoint) {
     for (DroneSnapshot drone : snapshot.drones()) {
       Vec3 place = drone.state().motion().position();
@@ -88,7 +99,7 @@ final class Framing {
     }
   }
 
-  /** Fits without the drones that had left a picture. */
+  /** Fits the scene, no longer including the places of drones that have left the view. */
   Orbit fitAfresh(SimSnapshot snapshot, Orbit direction) {
     astray = Map.of();
     return fit(snapshot, direction);
@@ -97,8 +108,9 @@ final class Framing {
   /**
    * Fits the scene as it is now.
    *
-   * @param direction whose heading and elevation the camera keeps
-   * @return about the middle of what is seen, in the room frame; the same if there is no picture
+   * @param direction the orbit whose heading and elevation are kept
+   * @return an orbit about the middle of the visible content, in the room frame; {@code direction}
+   *     if the view is empty
    */
   Orbit fit(SimSnapshot snapshot, Orbit direction) {
     if (picture.isEmpty()) {
@@ -113,9 +125,10 @@ final class Framing {
   }
 
   /**
-   * The nearest place from which all points are seen. A free part of the picture may grow over its
-   * covers, as long as none of the things is seen there, and none but far corners of the floor. Of
-   * equally near places the lower part of the picture counts.
+   * Returns the nearest camera position from which all points are visible. A free part of the view
+   * may be extended behind controls, provided that the controls hide no object and no corner of the
+   * floor, except corners in the upper half of the view. If positions are equally near, the
+   * position that uses the lower part of the view is preferred.
    */
   private Vec3 nearest(List<Vec3> floor, List<Vec3> things, Attitude attitude) {
     List<Vec3> points = union(floor, things);
@@ -146,7 +159,7 @@ final class Framing {
             .allMatch(corner -> picture.showsClearly(corner, viewpoint) || high(corner, viewpoint));
   }
 
-  /** Whether a place is seen in the upper half of the picture, if at all. */
+  /** Returns whether a place is visible in the upper half of the view. */
   private boolean high(Vec3 place, Viewpoint viewpoint) {
     double height = picture.size().getHeight();
     return viewpoint
@@ -161,7 +174,7 @@ final class Framing {
     return all;
   }
 
-  /** The middle of the largest free part of the picture. */
+  /** Returns the offset of the middle of the largest free part from the middle of the view. */
   Offset middle() {
     return picture.isEmpty()
         ? Offset.NONE
@@ -190,7 +203,7 @@ final class Framing {
     return points;
   }
 
-  /** The middle of the box around some points. */
+  /** Returns the centre of the bounding box of some points. */
   private static Vec3 middle(List<Vec3> points) {
     Vec3 least = points.get(0);
     Vec3 most = points.get(0);

@@ -12,8 +12,8 @@ import tellosimulator.view.fx.FxMeshes;
 import tellosimulator.view.fx.FxTextures;
 
 /**
- * Meshes and materials of scenes as JavaFX has them, each converted once and kept as long as a
- * scene holds the original. For the JavaFX thread.
+ * Caches meshes and materials of scenes as JavaFX objects. Each is converted once and kept as long
+ * as a scene holds the original. Confined to the JavaFX thread.
  */
 final class FxParts {
 
@@ -25,12 +25,12 @@ final class FxParts {
     return meshes.computeIfAbsent(mesh, FxMeshes::of);
   }
 
-  /** A material that all instances share. */
+  /** Returns the converted material that all instances share. */
   PhongMaterial shared(Material material) {
     return materials.computeIfAbsent(material, this::converted);
   }
 
-  /** A material of one's own. */
+  /** Returns a new converted material that is not shared. */
   PhongMaterial converted(Material material) {
     PhongMaterial converted = new PhongMaterial();
     converted.setDiffuseMap(textures.image(material.texture()));

@@ -9,45 +9,48 @@ import javafx.css.PseudoClass;
 import javafx.geometry.Point2D;
 import javafx.scene.control.Label;
 import javafx.scene.layout.Pane;
-import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.GoalState;
+import tellosimulator.goal.PlacedGoal;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.overlay.GoalTags;
 
 /**
- * The names of the gates that are goals, each at the right of the gate's numbers in the picture of
- * the room: so one finds the gate that the list of goals names. Gates that are done say it no
- * longer. For the JavaFX thread.
+ * Shows the names of the gates that are goals. Each name is to the right of the gate's numbers in
+ * the 3D scene, so that users can find the gate in the list of goals. The label of a completed gate
+ * is hidden. Confined to the JavaFX thread.
  */
 final class GateNames extends Pane {
 
-  /** From a number to the name [px]. */
+  /** Gap between a number and the name [px]. */
   private static final double GAP = 3;
 
-  /** Decided: what is longer ends in an ellipsis before it covers the next gate [px]. */
+  /**
+   * Maximum width of a name [px]. Decided: longer names end in an ellipsis before they cover the
+   * next gate.
+   */
   private static final double LONGEST = 110;
 
-  /** From number to number, in edges of one. */
+  /** Distance between the middles of adjacent number tags, as a multiple of a tag's side length. */
   private static final double STEP = 1.1;
 
   private static final PseudoClass NEXT = PseudoClass.getPseudoClass("next");
 
-  /** The goals of one gate. */
+  /** A gate with all of its goals. */
   private static final class Gate {
 
-    private final GoalMark.Opening opening;
+    private final PlacedGoal.Opening opening;
     private int numbers;
     private boolean next;
     private boolean wanted;
 
-    Gate(GoalMark.Opening opening) {
+    Gate(PlacedGoal.Opening opening) {
       this.opening = opening;
     }
   }
 
   private final List<Label> names = new ArrayList<>();
-  private List<GoalMark> known = List.of();
+  private List<PlacedGoal> known = List.of();
   private List<Gate> gates = List.of();
 
   GateNames() {
@@ -56,11 +59,11 @@ final class GateNames extends Pane {
   }
 
   /**
-   * Follows the goals.
+   * Updates the names and their positions.
    *
-   * @param viewpoint from where they are seen; empty for no names
+   * @param viewpoint the viewpoint from which the gates are seen; empty hides all names
    */
-  void advance(List<GoalMark> goals, Optional<Viewpoint> viewpoint) {
+  void advance(List<PlacedGoal> goals, Optional<Viewpoint> viewpoint) {
     if (!goals.equals(known)) {
       known = goals;
       gates = gates(goals);
@@ -76,14 +79,14 @@ final class GateNames extends Pane {
           i < gates.size()
               && viewpoint.isPresent()
               && place(names.get(i), gates.get(i), viewpoint.get());
-      names.get(i).setVisible(seen); // once: a change and back would be drawn, too
+      names.get(i).setVisible(seen); // set once, to avoid a redraw
     }
   }
 
-  private static List<Gate> gates(List<GoalMark> goals) {
+  private static List<Gate> gates(List<PlacedGoal> goals) {
     Map<String, Gate> gates = new LinkedHashMap<>();
-    for (GoalMark goal : goals) {
-      if (goal.place() instanceof GoalMark.Opening opening) {
+    for (PlacedGoal goal : goals) {
+      if (goal.place() instanceof PlacedGoal.Opening opening) {
         Gate gate = gates.computeIfAbsent(opening.name(), name -> new Gate(opening));
         gate.numbers++;
         gate.next |= goal.state() == GoalState.ACTIVE;
@@ -94,9 +97,9 @@ final class GateNames extends Pane {
   }
 
   /**
-   * Places a name beside the tags, which stand on the top of the gate.
+   * Places a name beside the number tags, which stand on top of the gate.
    *
-   * @return whether it is in sight
+   * @return whether the name is in view
    */
   private boolean place(Label name, Gate gate, Viewpoint viewpoint) {
     Pose camera = viewpoint.pose();

@@ -13,8 +13,9 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * Another flight in the same room, shown with what the window shows: translucent drones with trails
- * of their own, each with a label. No drone's camera sees it. For the JavaFX thread.
+ * Another flight in the same room, shown together with the window's own flight. Its drones are
+ * translucent, and each has its own trail and a label. No drone's camera sees them. Confined to the
+ * JavaFX thread.
  */
 public final class GhostFlight {
 
@@ -26,10 +27,11 @@ public final class GhostFlight {
   private SimSnapshot snapshot;
 
   /**
-   * A flight that begins with a snapshot.
+   * Creates a flight that initially shows a snapshot.
    *
-   * @param rgb colour of the ghosts, as one writes #rrggbb; that of all drones in its snapshots
-   * @param label what is written below each of them, in the present language
+   * @param rgb the colour of the ghosts as 0xRRGGBB; all drones in the snapshots must have this
+   *     colour
+   * @param label supplies the text below each ghost, in the current language
    */
   public GhostFlight(SimSnapshot first, int rgb, Supplier<String> label) {
     this.label = label;
@@ -42,36 +44,36 @@ public final class GhostFlight {
     labels.getChildren().setAll(tags);
   }
 
-  /** Shows another moment with the next beat. */
+  /** Sets the moment to show at the next UI tick. */
   public void show(SimSnapshot moment) {
     snapshot = moment;
   }
 
-  /** Draws the trails anew, along what was to be seen until now. */
+  /** Redraws the trails from earlier snapshots. */
   public void retrace(Iterable<SimSnapshot> past) {
     overlay.clearTrails();
     past.forEach(each -> overlay.advance(each, 0));
   }
 
-  /** The labels, which lie over the picture. */
+  /** Returns the pane that contains the labels. The pane must be placed over the scene. */
   Pane labels() {
     return labels;
   }
 
-  /** Shows the trails, or hides them. */
+  /** Shows or hides the trails. */
   void showTrails(boolean shown) {
     overlay.showTrails(shown);
   }
 
-  /** The moment that is shown. */
+  /** Returns the moment that is shown. */
   SimSnapshot snapshot() {
     return snapshot;
   }
 
   /**
-   * What is added to a scene.
+   * Returns the instances to add to a scene.
    *
-   * @param own the scene of its snapshot
+   * @param own the scene of this flight's snapshot
    * @param nanos the time of the frame [ns]
    */
   List<Instance> instances(Scene own, Viewpoint viewpoint, long nanos) {
@@ -81,7 +83,7 @@ public final class GhostFlight {
     return instances;
   }
 
-  /** Moves the labels to where the ghosts are seen. */
+  /** Moves the labels to the ghosts. */
   void label(Viewpoint viewpoint) {
     List<DroneSnapshot> drones = snapshot.drones();
     for (int i = 0; i < tags.size(); i++) {
@@ -89,7 +91,7 @@ public final class GhostFlight {
     }
   }
 
-  /** Hides the labels, as no drone's camera sees ghosts. */
+  /** Hides the labels, for example in the view of a drone's camera, which does not show ghosts. */
   void hideLabels() {
     tags.forEach(tag -> tag.setVisible(false));
   }

@@ -13,20 +13,19 @@ import javafx.scene.transform.Scale;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Material;
-import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.view.fx.FxFrames;
 
-/** A list of instances as nodes, one for each. For the JavaFX thread. */
+/** Shows a list of instances, with one node for each. Confined to the JavaFX thread. */
 final class InstanceGroup extends Group {
 
   private final FxParts parts;
   private final DepthTest decalDepth;
 
   /**
-   * An empty group.
+   * Creates an empty group.
    *
-   * @param decalDepth whether decals are tested for depth; those that are drawn right after what
-   *     they lie on need not be, and so never flicker
+   * @param decalDepth whether decals are depth-tested; decals that are drawn directly after the
+   *     surface below them do not need the test, and do not flicker if it is off
    */
   InstanceGroup(String id, FxParts parts, DepthTest decalDepth) {
     this.parts = parts;
@@ -34,7 +33,10 @@ final class InstanceGroup extends Group {
     setId(id);
   }
 
-  /** Shows other instances; a node is changed only where its instance differs. */
+  /**
+   * Shows a list of instances in place of the previous one. Only nodes whose instances differ
+   * change.
+   */
   void show(List<Instance> instances) {
     int known = getChildren().size();
     for (int i = 0; i < instances.size(); i++) {
@@ -49,7 +51,7 @@ final class InstanceGroup extends Group {
     }
   }
 
-  /** Hides what needs not be drawn. */
+  /** Hides instances that cannot be seen. */
   void cull(Predicate<Instance> mayBeSeen) {
     for (int i = 0; i < getChildren().size(); i++) {
       view(i).setVisible(mayBeSeen.test(view(i).shown));
@@ -61,7 +63,7 @@ final class InstanceGroup extends Group {
     return (InstanceView) view;
   }
 
-  /** An instance as a node. */
+  /** A node that shows an instance. */
   private final class InstanceView extends MeshView {
 
     private final Affine pose = new Affine();
@@ -91,8 +93,8 @@ final class InstanceGroup extends Group {
     private void showPart(Instance instance) {
       Material material = instance.part().material();
       setMesh(parts.mesh(instance.part().mesh()));
-      if (material.shading() == Shading.DECAL) {
-        setMaterial(parts.converted(material)); // its own, for its opacity
+      if (material.shading().coplanar()) {
+        setMaterial(parts.converted(material)); // not shared, because its opacity changes
         showOpacity(instance.opacity());
         setDepthTest(decalDepth);
       } else {
@@ -101,7 +103,7 @@ final class InstanceGroup extends Group {
       }
     }
 
-    /** Measured: the toolkit takes colours to be premultiplied with alpha. */
+    /** Sets the opacity. Measured: JavaFX expects colours that are premultiplied by alpha. */
     private void showOpacity(double opacity) {
       PhongMaterial material = (PhongMaterial) getMaterial();
       material.setDiffuseColor(new Color(opacity, opacity, opacity, opacity));

@@ -6,19 +6,22 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 
 /**
- * From where a camera looks at a pivot. Immutable. All angles in radians, all lengths in metres.
+ * The position of a camera relative to the pivot at which it looks. Immutable. All angles are in
+ * radians, and all lengths in metres.
  *
- * @param heading along which the camera looks, counter-clockwise seen from above, 0 along x
- * @param elevation how high the camera stands above the pivot, as an angle; negative below it
- * @param distance from the pivot
- * @param shift of the pivot from what is looked at, room frame
- * @param offset of the pivot in the picture
+ * @param heading the direction in which the camera looks, counter-clockwise seen from above, 0
+ *     along x
+ * @param elevation the angle of the camera above the pivot; negative below it
+ * @param distance the distance of the camera from the pivot
+ * @param shift the vector from the target (the followed point or the room's origin) to the pivot,
+ *     in the room frame
+ * @param offset the position of the pivot in the view
  */
 record Orbit(double heading, double elevation, double distance, Vec3 shift, Offset offset) {
 
   /**
-   * Where in the picture the pivot is seen: tangents of the angles from the picture's middle. So
-   * panels may cover a side of the picture, and the camera still turns about what one looks at.
+   * The position of the pivot in the view, as tangents of the angles from the view's middle. An
+   * offset lets the camera rotate about the visible centre even if panels cover a side of the view.
    */
   record Offset(double left, double up) {
 
@@ -29,16 +32,16 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
     }
   }
 
-  /** Straight down is 90 degrees; from there on the picture would turn over. */
+  /** Highest elevation. Straight down is 90 degrees, beyond which the view would flip. */
   static final double HIGHEST = Math.toRadians(89.5);
 
-  /** Decided: a drone that flies high can be seen from below. */
+  /** Lowest elevation. Decided: lets a high-flying drone be seen from below. */
   static final double LOWEST = Math.toRadians(-60);
 
-  /** Nearest distance [m]. Decided: a drone fills the picture. */
+  /** Shortest distance [m]. Decided: a drone then fills the view. */
   static final double NEAREST = 0.15;
 
-  /** Lowest camera above the floor [m]. Decided. */
+  /** Minimum height of the camera above the floor [m]. Decided. */
   static final double ABOVE_FLOOR = 0.04;
 
   Orbit {
@@ -46,24 +49,27 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
     distance = Math.max(NEAREST, distance);
   }
 
-  /** With the pivot in the middle of the picture. */
+  /** Creates an orbit whose pivot is in the middle of the view. */
   Orbit(double heading, double elevation, double distance, Vec3 shift) {
     this(heading, elevation, distance, shift, Offset.NONE);
   }
 
-  /** The orbit of a camera that looks along another one's direction, about a pivot. */
+  /**
+   * Returns the orbit of a camera at another place, about another pivot. The camera looks in the
+   * same direction as in this orbit.
+   */
   Orbit seenFrom(Vec3 place, Vec3 pivot) {
     Vec3 way = attitude().toBody(pivot.minus(place));
     Offset seen = new Offset(way.y() / way.x(), way.z() / way.x());
     return new Orbit(heading, elevation, way.x(), pivot, seen);
   }
 
-  /** The same about another pivot. */
+  /** Returns this orbit with another shift of the pivot from the target [m]. */
   Orbit about(Vec3 newShift) {
     return new Orbit(heading, elevation, distance, newShift, offset);
   }
 
-  /** The same with the pivot elsewhere in the picture. */
+  /** Returns this orbit with the pivot elsewhere in the view. */
   Orbit seenAt(Offset newOffset) {
     return new Orbit(heading, elevation, distance, shift, newOffset);
   }
@@ -73,21 +79,21 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
   }
 
   /**
-   * Nearer or farther.
+   * Returns this orbit with another distance from the pivot.
    *
-   * @param factor of the distance
-   * @param farthest limit of the distance [m]
+   * @param factor the factor by which the distance is multiplied
+   * @param farthest the maximum distance [m]
    */
   Orbit zoomed(double factor, double farthest) {
     return new Orbit(heading, elevation, Math.min(farthest, distance * factor), shift, offset);
   }
 
   /**
-   * The pivot moved in the plane of the picture.
+   * Returns this orbit with the pivot moved in the plane of the view.
    *
-   * @param right metres
-   * @param up metres
-   * @param farthest limit of the shift [m]
+   * @param right the distance to the right [m]
+   * @param up the distance upwards [m]
+   * @param farthest the maximum shift [m]
    */
   Orbit shifted(double right, double up, double farthest) {
     Vec3 change = attitude().toRoom(new Vec3(0, -right, up));
@@ -95,9 +101,9 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
   }
 
   /**
-   * An orbit on the way to another one; turns the shorter way round.
+   * Interpolates between this orbit and another one. The camera rotates the shorter way.
    *
-   * @param part of the way, 0 to 1
+   * @param part the fraction of the way, 0 to 1
    */
   Orbit towards(Orbit other, double part) {
     return new Orbit(
@@ -108,7 +114,12 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
         offset.towards(other.offset, part));
   }
 
-  /** The camera's place and direction: it looks along its x axis. Never below the floor. */
+  /**
+   * Returns the pose of the camera in the room frame. The camera looks along its x axis, and is
+   * never below the floor.
+   *
+   * @param target the followed point or the room's origin, in the room frame [m]
+   */
   Pose pose(Vec3 target) {
     Vec3 pivot = pivot(target);
     double reach = distance * Math.hypot(1, offset.up());
@@ -118,13 +129,13 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
     return new Pose(pivot.minus(attitude.toRoom(way)), attitude);
   }
 
-  /** What the camera looks at; never below the floor. */
+  /** Returns the point that the camera looks at; never below the floor. */
   Vec3 pivot(Vec3 target) {
     Vec3 pivot = target.plus(shift);
     return pivot.withZ(Math.max(0, pivot.z()));
   }
 
-  /** Looks along the heading, and down by the elevation. */
+  /** Returns the camera's attitude: along the heading, tilted down by the elevation. */
   Attitude attitude() {
     return attitude(elevation);
   }

@@ -8,36 +8,41 @@ import javafx.geometry.Rectangle2D;
 import tellosimulator.math.Vec3;
 
 /**
- * The picture of the room in the window, and what lies over it. Immutable; for any thread.
+ * The size of the 3D view in the window, and the areas that are covered by controls. Immutable.
  *
- * @param size of the picture [px]
- * @param aside what is covered along its edges [px]
- * @param covered other parts of it, from its top left corner [px]
+ * @param size the size of the view [px]
+ * @param aside the widths that are covered along the edges of the view [px]
+ * @param covered other covered areas, from the top left corner of the view [px]
  */
 record PictureArea(Dimension2D size, Insets aside, List<Rectangle2D> covered) {
 
-  /** What is left free at all edges [px]. Decided: half a drone tag. */
+  /** Margin that is kept free at all edges [px]. Decided: half the size of a drone tag. */
   static final double MARGIN = 14;
 
-  /** Shortest edge of a part in which one shows something [px]. Decided: a drone can be told. */
+  /** Shortest edge of a usable area [px]. Decided: large enough to recognize a drone. */
   static final double SMALLEST = 90;
 
   PictureArea {
     covered = List.copyOf(covered);
   }
 
-  /** Whether there is none yet, or one in which nothing is shown. */
+  /** Returns whether the view has no size yet, or too little uncovered space. */
   boolean isEmpty() {
     return size.getWidth() - aside.getLeft() - aside.getRight() < SMALLEST
         || size.getHeight() - aside.getTop() - aside.getBottom() < SMALLEST;
   }
 
-  /** Whether a place can be seen, unless something of the room hides it. */
+  /**
+   * Returns whether a place is in the uncovered part of the view. Whether an object in the room
+   * hides the place is not considered.
+   */
   boolean shows(Vec3 place, Viewpoint viewpoint) {
     return shows(place, viewpoint, 0);
   }
 
-  /** Whether a place can be seen, and is not at the edge of what lies over the picture. */
+  /**
+   * Returns whether a place is in the uncovered part of the view, with a margin to the controls.
+   */
   boolean showsClearly(Vec3 place, Viewpoint viewpoint) {
     return shows(place, viewpoint, MARGIN / 2);
   }
@@ -50,7 +55,7 @@ record PictureArea(Dimension2D size, Insets aside, List<Rectangle2D> covered) {
         .isPresent();
   }
 
-  /** All that nothing covers along an edge. */
+  /** Returns the area between the covered edges. */
   private Rectangle2D open() {
     return new Rectangle2D(
         aside.getLeft(),
@@ -60,8 +65,8 @@ record PictureArea(Dimension2D size, Insets aside, List<Rectangle2D> covered) {
   }
 
   /**
-   * The free parts that cannot be larger at any side: those between edges and covers. They overlap.
-   * All between the edges if none is large enough.
+   * Returns the maximal uncovered rectangles, which may overlap. If none is large enough, returns
+   * the whole area between the covered edges.
    */
   List<Rectangle2D> free() {
     Rectangle2D all = grown(open(), -MARGIN);
@@ -74,9 +79,9 @@ record PictureArea(Dimension2D size, Insets aside, List<Rectangle2D> covered) {
   }
 
   /**
-   * A rectangle between a free part and all that nothing covers along an edge.
+   * Interpolates between a free part and the whole area between the covered edges.
    *
-   * @param share 0 is the part, 1 all of it
+   * @param share 0 for the part, 1 for the whole area
    */
   Rectangle2D between(Rectangle2D part, double share) {
     Rectangle2D all = grown(open(), -MARGIN);
@@ -87,14 +92,17 @@ record PictureArea(Dimension2D size, Insets aside, List<Rectangle2D> covered) {
     return new Rectangle2D(left, top, right - left, bottom - top);
   }
 
-  /** A part, as far down as nothing covers along the lower edge. */
+  /** Extends a part downwards to the covered lower edge. */
   Rectangle2D downwards(Rectangle2D part) {
     double bottom = Math.max(part.getMaxY(), grown(open(), -MARGIN).getMaxY());
     return new Rectangle2D(
         part.getMinX(), part.getMinY(), part.getWidth(), bottom - part.getMinY());
   }
 
-  /** What is left of a part at the four sides of something that may lie over it. */
+  /**
+   * Returns the rectangles that remain of a part on the four sides of a blocked area. Rectangles
+   * that are too small are omitted.
+   */
   private static Stream<Rectangle2D> without(Rectangle2D blocked, Rectangle2D part) {
     if (!part.intersects(blocked)) {
       return Stream.of(part);

@@ -6,10 +6,12 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.Pane;
 import tellosimulator.math.Vec3;
 
-/** A text below a place of the room, in a pane over the picture. For the JavaFX thread. */
+/** A label below a place of the room, in a pane over the 3D view. Confined to the JavaFX thread. */
 final class PlacedLabel extends Label {
 
-  /** From the place to the text [px]. Decided: clear of a drone's body from most distances. */
+  /**
+   * Distance from the place to the text [px]. Decided: clear of a drone's body from most distances.
+   */
   private static final double BELOW = 18;
 
   PlacedLabel(String styleClass) {
@@ -18,9 +20,9 @@ final class PlacedLabel extends Label {
   }
 
   /**
-   * Shows a text where a place is seen; hides it if that is outside of the picture.
+   * Shows a text below a place, or hides it if the place is out of view.
    *
-   * @param place room frame [m]
+   * @param place the place in the room frame [m]
    */
   void show(String text, Vec3 place, Viewpoint viewpoint, Pane picture) {
     Optional<Point2D> seen = viewpoint.project(place, picture.getWidth(), picture.getHeight());

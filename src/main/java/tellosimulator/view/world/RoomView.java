@@ -1,37 +1,42 @@
 package tellosimulator.view.world;
 
-/** A view of the room that one chooses with a key or in a menu. */
+/** A view of the room that is selected by a key or in a menu. */
 public enum RoomView {
-  /** From behind and above, a little from the right. Decided: one sees floor and two walls. */
+  /**
+   * The view from the back and above, a little from the right. Decided: shows the floor and two
+   * walls.
+   */
   START(20, 33),
-  /** From the front wall: one sees the noses of drones that look along the room's x. */
+  /** The view from the front wall. Drones that face along the room's x axis show their noses. */
   FRONT(180, 14),
-  /** From the right wall. */
+  /** The view from the right wall. */
   SIDE(90, 14),
-  /** From above, with the room's x up in the picture, as in the plan. */
+  /** The view from above, with the room's x axis pointing up, as in the plan. */
   TOP(0, 90),
-  /** From behind the drone, with which it turns. */
+  /** The view from behind the drone. The camera rotates with the drone. */
   CHASE(0, 18);
 
   private final double heading;
   private final double elevation;
 
   /**
-   * @param headingDeg along which the camera looks, counter-clockwise, 0 along the room's x; of
-   *     {@link #CHASE}, from the drone's nose
-   * @param elevationDeg how high the camera stands, as an angle
+   * Creates a view in a direction.
+   *
+   * @param headingDeg the direction in which the camera looks, counter-clockwise, 0 along the
+   *     room's x axis; for {@link #CHASE}, relative to the drone's nose
+   * @param elevationDeg the angle of the camera above the horizontal
    */
   RoomView(double headingDeg, double elevationDeg) {
     heading = Math.toRadians(headingDeg);
     elevation = Math.toRadians(elevationDeg);
   }
 
-  /** Radians. */
+  /** Returns the direction in which the camera looks [rad]. */
   double heading() {
     return heading;
   }
 
-  /** Radians. */
+  /** Returns the angle of the camera above the horizontal [rad]. */
   double elevation() {
     return elevation;
   }

@@ -22,19 +22,24 @@ import tellosimulator.view.fx.FxFrames;
 import tellosimulator.view.fx.FxTextures;
 
 /**
- * A scene as JavaFX nodes, in the room frame. A shown scene changes only the nodes that differ from
- * those of the scene before. The groups are in drawing order; what they hold has the same lights
- * and is blended in the same way. For the JavaFX thread.
+ * Represents a scene as JavaFX nodes in the room frame. When a new scene is shown, only the nodes
+ * that differ from the previous scene change. The groups are in drawing order; the nodes of a group
+ * have the same lights and blending. Confined to the JavaFX thread.
  */
 final class SceneNodes extends Group {
 
-  /** So far above an obstacle a decal does not flicker [m]. Decided: from 10 m away. */
+  /**
+   * Height of decals above an obstacle [m]. Decided: prevents flickering up to a distance of 10 m.
+   */
   private static final double DECAL_OFFSET = 0.002;
 
-  /** Drones that are nearer than this are always drawn [m]. Decided: some times their size. */
+  /** Distance below which drones are always drawn [m]. Decided: several times their size. */
   private static final double NEARBY = 1;
 
-  /** Cosine of the widest angle from the middle of a frame. Decided: beyond any window's form. */
+  /**
+   * Cosine of the maximum angle from the middle of the view at which drones are drawn. Decided:
+   * enough for the aspect ratio of any window.
+   */
   private static final double WIDEST = Math.cos(Math.toRadians(58));
 
   private final FxParts parts = new FxParts();
@@ -66,10 +71,11 @@ final class SceneNodes extends Group {
   }
 
   /**
-   * Dims the lights in the room. What shines, and the aids for people, stay as they are. A light
-   * that is set lets all that it shines on be drawn anew, even if nothing of it changes.
+   * Dims the lights in the room. Luminous parts and the visual aids keep their brightness. Does
+   * nothing if the brightness is unchanged, because JavaFX redraws everything that a light
+   * illuminates whenever the light is set, even to the same brightness.
    *
-   * @param newBrightness 0 to 1
+   * @param newBrightness the new brightness, 0 to 1
    */
   void dim(double newBrightness) {
     if (newBrightness == brightness) {
@@ -82,7 +88,7 @@ final class SceneNodes extends Group {
   /**
    * Shows a scene.
    *
-   * @param camera from where it is seen; drones that it cannot see are left out
+   * @param camera the pose of the camera; drones that the camera cannot see are omitted
    */
   void show(Scene scene, Pose camera) {
     room.show(scene.room());
@@ -111,14 +117,14 @@ final class SceneNodes extends Group {
     return instances.stream().filter(wanted).toList();
   }
 
-  /** Whether a decal is on an obstacle, and so must be drawn after it. */
+  /** Returns whether a decal lies on an obstacle and must therefore be drawn after it. */
   private static boolean isRaised(Instance decal) {
     return decal.part().material().shading() == Shading.DECAL
         && decal.pose().attitude().up().z() > 0.5
         && decal.pose().position().z() > 0;
   }
 
-  /** Whether something as large as a drone could be in the image of a camera. */
+  /** Returns whether an object of a drone's size could be in the camera's view. */
   private static boolean mayBeSeen(Instance drone, Pose camera) {
     Vec3 way = drone.pose().position().minus(camera.position());
     double distance = way.norm();

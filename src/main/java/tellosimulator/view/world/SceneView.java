@@ -3,22 +3,24 @@ package tellosimulator.view.world;
 import javafx.scene.Node;
 import tellosimulator.scenery.Scene;
 
-/** Shows scenes in the window. For the JavaFX thread. */
+/** A view that renders scenes in the window. Confined to the JavaFX thread. */
 sealed interface SceneView permits SubSceneView, SoftwareSceneView {
 
-  /** What is to be seen; it takes no part in layout. */
+  /**
+   * Returns the node that shows the scene. Its size is set by {@link #resize}, not by the layout.
+   */
   Node node();
 
-  /** Sets its size [px]. */
+  /** Sets the size of the view [px]. */
   void resize(double width, double height);
 
-  /** Smooths edges, where that is possible. */
+  /** Switches anti-aliasing on or off, where supported. */
   void smoothEdges(boolean smooth);
 
   /**
-   * Dims the lights in the room; what shines, and aids for people, may stay as they are.
+   * Dims the lights in the room. Luminous parts and visual aids may keep their brightness.
    *
-   * @param brightness 0 to 1
+   * @param brightness the new brightness, 0 to 1
    */
   void dim(double brightness);
 
@@ -29,6 +31,6 @@ sealed interface SceneView permits SubSceneView, SoftwareSceneView {
    */
   void show(Scene scene, Viewpoint viewpoint, long nanos);
 
-  /** Ends its threads, if it has any. */
+  /** Stops the view's threads, if there are any. */
   default void rest() {}
 }

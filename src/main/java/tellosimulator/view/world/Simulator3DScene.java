@@ -28,23 +28,23 @@ import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.overlay.Overlay;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.model.FxMarks;
+import tellosimulator.view.model.FxOverlayItems;
 import tellosimulator.view.model.FxSimulation;
-import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.SceneContext;
+import tellosimulator.view.model.UiTicker;
 import tellosimulator.view.text.Messages;
 
 /**
- * The room with its drones in 3D, seen through one of two cameras; over it the inset with the
- * drone's camera, the faults that act, and where the wind blows. Where JavaFX has no 3D, the
- * software camera draws it. For the JavaFX thread.
+ * The room with its drones in 3D, seen through one of two cameras. The active faults, the wind, and
+ * an inset with the picture of the drone's camera are shown over the scene. Without JavaFX 3D
+ * support, the software camera renders the scene. Confined to the JavaFX thread.
  */
 public final class Simulator3DScene extends Region {
 
-  /** Between what lies in a corner and the scene's edges [px]. */
+  /** Margin between overlaid controls and the scene's edges [px]. */
   private static final double MARGIN = 12;
 
-  /** How bright the room is in a dark window. Decided: by eye; its colours can still be told. */
+  /** Brightness of the room in the dark theme. Decided: by eye; colours remain distinguishable. */
   private static final double DIMMED = 0.78;
 
   private static final PseudoClass FROM_DRONE = PseudoClass.getPseudoClass("from-drone");
@@ -62,32 +62,32 @@ public final class Simulator3DScene extends Region {
       new SimpleBooleanProperty(this, "antialiasing", true);
   private final SimulatorCamera camera;
   private final FxSimulation simulation;
-  private final Pulse pulse;
+  private final UiTicker ticker;
   private final DroneOptics optics;
   private final SceneBuilder scenes;
 
-  /** One of its own, as each builder keeps what it has made of the latest obstacles. */
+  /** A separate builder, because each builder caches the parts of its latest obstacles. */
   private final SceneBuilder ghostScenes = new SceneBuilder();
 
   private final Overlay overlay;
-  private final FxMarks marks;
+  private final FxOverlayItems marks;
   private final SceneView view;
   private final DroneCameraInset inset;
   private final WindArrow wind;
   private final FaultTags faults;
   private final GateNames gateNames = new GateNames();
-  private final SelectionMark selection;
+  private final SelectionOutline selection;
   private final FrameRateMonitor frameRate = new FrameRateMonitor();
   private List<Region> covers = List.of();
 
-  /** Lies around all that nothing else covers while the keyboard is here. */
+  /** The focus ring, around the area between the covered edges. */
   private final Region ring = new Region();
 
   private Optional<GhostFlight> ghost = Optional.empty();
 
   public Simulator3DScene(SceneContext context) {
     simulation = context.simulation();
-    pulse = context.pulse();
+    ticker = context.ticker();
     optics = context.video().optics();
     scenes = context.video().scenes();
     marks = context.marks();
@@ -100,58 +100,58 @@ public final class Simulator3DScene extends Region {
     inset = new DroneCameraInset(context);
     wind = new WindArrow(context, camera);
     faults = new FaultTags(simulation.drones().size());
-    selection = new SelectionMark(simulation);
+    selection = new SelectionOutline(simulation);
     initializeSelf(context);
     layoutParts();
     setupEventHandlers();
     setupBindings();
-    context.pulse().onBeat(this::advance);
+    context.ticker().onTick(this::advance);
   }
 
-  /** The camera that looks into the room from outside. */
+  /** Returns the camera that shows the room from outside. */
   public SimulatorCamera camera() {
     return camera;
   }
 
-  /** Through which camera one sees the scene. */
+  /** The camera through which the scene is seen. */
   public ObjectProperty<ViewCamera> viewCameraProperty() {
     return viewCamera;
   }
 
-  /** Shows the scene from a side, from the simulator's camera. */
+  /** Switches to the simulator's camera and one of its views. */
   public void look(RoomView from) {
     viewCamera.set(ViewCamera.SIMULATOR);
     camera.look(from);
   }
 
-  /** Shows the whole scene, from the simulator's camera. */
+  /** Switches to the simulator's camera and fits the whole scene. */
   public void fit() {
     viewCamera.set(ViewCamera.SIMULATOR);
     camera.fit();
   }
 
-  /** Lets fitted views show where these are, too. */
+  /** Sets the goals that fitted views include. */
   public void setGoals(List<Goal> goals) {
     camera.setGoals(goals);
   }
 
-  /** Lets fitted views show the scene beside these, while they lie over it. */
+  /** Sets the controls that cover the scene; fitted views avoid them. */
   public void setCovers(List<Region> newCovers) {
     covers = List.copyOf(newCovers);
   }
 
-  /** Removes the flown paths. */
+  /** Removes the trails. */
   public void clearTrails() {
     overlay.clearTrails();
   }
 
-  /** Shows the scene from the other of the two cameras. */
+  /** Switches to the other of the two cameras. */
   public void switchCamera() {
     boolean drones = viewCamera.get() == ViewCamera.DRONE;
     viewCamera.set(drones ? ViewCamera.SIMULATOR : ViewCamera.DRONE);
   }
 
-  /** Whether the flown paths are shown. */
+  /** Whether trails are shown. */
   public BooleanProperty trailVisibleProperty() {
     return trailVisible;
   }
@@ -161,40 +161,41 @@ public final class Simulator3DScene extends Region {
     return goalLineVisible;
   }
 
-  /** Whether drones that would be small in the picture are drawn larger than life. */
+  /** Whether drones that would look small are drawn enlarged. */
   public BooleanProperty dronesEnlargedProperty() {
     return dronesEnlarged;
   }
 
-  /** Whether the room is less bright, for a dark window; what drones film is as it is. */
+  /** Whether the room is dimmed for the dark theme. The video of the drones is never dimmed. */
   public BooleanProperty dimmedProperty() {
     return dimmed;
   }
 
-  /** Whether the inset shows the picture of the drone's camera. */
+  /** Whether the inset shows the drone's camera. */
   public BooleanProperty insetVisibleProperty() {
     return inset.shownProperty();
   }
 
-  /** Shows the inset and its buttons only while it is wanted. */
+  /** Shows the inset and its buttons only while the value is true. */
   public void showInsetWhile(ObservableValue<Boolean> wanted) {
     inset.visibleProperty().bind(wanted);
   }
 
-  /** Whether the inset is large. */
+  /** Whether the inset is enlarged. */
   public BooleanProperty insetEnlargedProperty() {
     return inset.enlargedProperty();
   }
 
   /**
-   * Whether edges are to be smooth. Where that costs so much time that the picture is not fluent,
-   * as it may without a graphics card, they are not until somebody switches this on again.
+   * Whether edges are anti-aliased. Anti-aliasing is switched off automatically if the frame rate
+   * becomes too low, for example without a graphics card. It then stays off until the property
+   * changes.
    */
   public BooleanProperty antialiasingProperty() {
     return antialiasing;
   }
 
-  /** Shows another flight with this one, or no longer. */
+  /** Shows another flight together with this one; empty removes it. */
   public void setGhost(Optional<GhostFlight> newGhost) {
     ghost.ifPresent(before -> getChildren().remove(before.labels()));
     ghost = newGhost;
@@ -202,18 +203,18 @@ public final class Simulator3DScene extends Region {
     requestLayout();
   }
 
-  /** Draws the trails anew, along what was to be seen until now. */
+  /** Redraws the trails from earlier snapshots. */
   public void retrace(Iterable<SimSnapshot> past) {
     overlay.clearTrails();
     past.forEach(each -> overlay.advance(each, 0));
   }
 
-  /** What shows the scene. */
+  /** Returns the view that renders the scene. */
   SceneView view() {
     return view;
   }
 
-  /** Looks at no more video, and takes part in none. */
+  /** Stops the video and the rendering. */
   public void rest() {
     inset.rest();
     view.rest();
@@ -250,7 +251,10 @@ public final class Simulator3DScene extends Region {
     selection.stillProperty().bind(camera.reducedMotionProperty());
   }
 
-  /** Where the drone's picture does not fill the region, what is around it is no room. */
+  /**
+   * Styles the border around the picture of the drone's camera. The picture may be smaller than the
+   * region.
+   */
   private void showFrame(ViewCamera chosen) {
     pseudoClassStateChanged(FROM_DRONE, chosen == ViewCamera.DRONE);
     requestLayout();
@@ -275,7 +279,7 @@ public final class Simulator3DScene extends Region {
     showScene(nanos);
     selection.advance(nanos, viewCamera.get() == ViewCamera.SIMULATOR, camera.viewpoint());
     if (camera.glides() || selection.isVisible()) {
-      pulse.wake();
+      ticker.wake();
     }
     inset.advance(nanos);
     wind.advance(viewCamera.get() == ViewCamera.SIMULATOR);
@@ -299,7 +303,7 @@ public final class Simulator3DScene extends Region {
     return shown;
   }
 
-  /** Where a node is in the picture. */
+  /** Returns the bounds of a node in this region. */
   private Rectangle2D place(Node node) {
     Bounds bounds = sceneToLocal(node.localToScene(node.getLayoutBounds()));
     return new Rectangle2D(
@@ -334,7 +338,7 @@ public final class Simulator3DScene extends Region {
         : builder.scene(snapshot);
   }
 
-  /** What only people see. */
+  /** Returns the visual aids: instances that no drone's camera sees. */
   private List<Instance> aids(SimSnapshot snapshot, Viewpoint viewpoint, long nanos) {
     List<Instance> aids = new ArrayList<>();
     ghost.ifPresent(
@@ -349,7 +353,7 @@ public final class Simulator3DScene extends Region {
     return aids;
   }
 
-  /** The camera in the nose of the selected drone. */
+  /** Returns the viewpoint of the selected drone's nose camera. */
   private Viewpoint onDrone() {
     Pose nose = optics.nose(simulation.selected().poseProperty().get());
     return new Viewpoint(
@@ -370,7 +374,8 @@ public final class Simulator3DScene extends Region {
   }
 
   /**
-   * In a corner of what nothing else covers: the picture goes on below that, as the padding says.
+   * Lays out a control in a corner of the uncovered area. The insets of this region are the widths
+   * of the controls along its edges; the scene continues behind these controls.
    */
   private void layOut(Node corner, HPos across, VPos down) {
     Insets covered = getInsets();
@@ -381,7 +386,10 @@ public final class Simulator3DScene extends Region {
     layoutInArea(corner, left, top, width, height, 0, across, down);
   }
 
-  /** The picture of the drone's camera keeps its form; the other fills everything. */
+  /**
+   * Sizes the view. The picture of the drone's camera keeps its aspect ratio; the picture of the
+   * simulator's camera fills the region.
+   */
   private void layOutView() {
     double ratio = (double) DroneOptics.WIDTH / DroneOptics.HEIGHT;
     boolean onDrone = viewCamera.get() == ViewCamera.DRONE;

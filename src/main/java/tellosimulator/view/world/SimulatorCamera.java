@@ -16,41 +16,54 @@ import tellosimulator.view.model.FxSimulation;
 import tellosimulator.world.Room;
 
 /**
- * The camera that shows the whole scene, or orbits the selected drone and follows it; what it sees
- * shows with the next beat. It is fitted to the scene, and stays so when that changes, until a hand
- * moves it. For the JavaFX thread.
+ * The camera that shows the whole scene, or orbits and follows the selected drone. Changes become
+ * visible at the next UI tick. The camera is fitted to the scene, and is fitted again when the
+ * scene changes, until the user moves the camera. Confined to the JavaFX thread.
  *
- * <p>Methods that a person's hand moves take pixels; angles and distances come from constants here.
+ * <p>Methods for gestures take pixels; the factors for angles and distances are constants of this
+ * class.
  */
 public final class SimulatorCamera {
 
   /** Field of view from top to bottom [rad]. Decided: little distortion at the edges. */
   private static final double FIELD_OF_VIEW = Math.toRadians(38);
 
-  /** Turn of the camera a pixel [rad]. Decided: half a turn across 600 pixels. */
+  /** Rotation per pixel [rad]. Decided: half a turn across 600 pixels. */
   private static final double TURN_PER_PIXEL = Math.PI / 600;
 
   /**
-   * Logarithm of the distance's change a pixel of scrolling. Decided: 10 % a notch of 40 pixels.
+   * Change of the logarithm of the distance per scrolled pixel. Decided: 10 % for each notch of 40
+   * pixels.
    */
   private static final double ZOOM_PER_PIXEL = 0.0025;
 
-  /** Height of a drone's middle above its feet [m]. Documented: half of 41 mm. */
+  /**
+   * Height of a drone's middle above its feet [m]. Documented: half of the drone's height of 41 mm.
+   */
   private static final Vec3 MIDDLE = new Vec3(0, 0, 0.02);
 
-  /** From where it begins to follow a drone [m]. Decided: one sees nose, shadow and floor. */
+  /**
+   * Distance at which the camera starts to follow a drone [m]. Decided: shows nose, shadow and
+   * floor.
+   */
   private static final double FOLLOW_DISTANCE = 1.9;
 
-  /** From where it chases a drone, or from nearer [m]. Decided: by eye. */
+  /** Longest distance at which the camera starts to chase a drone [m]. Decided: by eye. */
   private static final double CHASE_DISTANCE = 1.35;
 
-  /** How far behind the drone it follows may be, as a part of its distance. Decided. */
+  /** Largest lag behind the followed drone, as a fraction of the camera's distance. Decided. */
   private static final double LAG = 0.25;
 
-  /** How long a window that opens settles [s]. Decided: its panels have their sizes by then. */
+  /**
+   * Time in which the layout of an opening window settles [s]. Decided: panels have reached their
+   * final sizes by then.
+   */
   private static final double SETTLING = 1;
 
-  /** Longest time between two beats that counts [s]. Decided: an idle window beats more slowly. */
+  /**
+   * Maximum time by which the camera's motion advances at a tick [s]. Decided: shorter than the
+   * interval between the ticks of an idle window.
+   */
   private static final double LONGEST_BEAT = 0.25;
 
   private final FxSimulation simulation;
@@ -61,10 +74,12 @@ public final class SimulatorCamera {
       new ReadOnlyObjectWrapper<>(this, "view", Optional.of(RoomView.START));
   private SmoothFollow follow;
 
-  /** About the drone while it follows or chases it, else in the room frame. */
+  /**
+   * The orbit, relative to the drone while following or chasing it, otherwise in the room frame.
+   */
   private Orbit orbit = towards(RoomView.START, 2 * FOLLOW_DISTANCE);
 
-  /** Whether it shows the whole scene, whatever becomes of that. */
+  /** Whether the camera shows the whole scene, and is fitted again when the scene changes. */
   private boolean fitted = true;
 
   private boolean tracking;
@@ -80,22 +95,22 @@ public final class SimulatorCamera {
     simulation.selectedProperty().addListener((property, before, now) -> find(now));
   }
 
-  /** The view that was chosen; empty once a hand has moved the camera. */
+  /** The selected view; empty once the user has moved the camera. */
   public ReadOnlyObjectProperty<Optional<RoomView>> viewProperty() {
     return view.getReadOnlyProperty();
   }
 
-  /** Whether it keeps the selected drone in the middle, whatever the view. */
+  /** Whether the selected drone is kept in the middle, in every view. */
   public BooleanProperty followingProperty() {
     return following;
   }
 
-  /** Whether it jumps from view to view. */
+  /** Whether the camera jumps from view to view instead of moving smoothly. */
   public BooleanProperty reducedMotionProperty() {
     return reducedMotion;
   }
 
-  /** Shows the room from a side, or the drone that it follows. */
+  /** Shows the room, or the followed drone, from one of the views. */
   void look(RoomView wanted) {
     if (wanted == RoomView.START) {
       following.set(false);
@@ -108,7 +123,7 @@ public final class SimulatorCamera {
     settle();
   }
 
-  /** Shows the whole scene in the direction in which it looks. */
+  /** Shows the whole scene from the current direction. */
   void fit() {
     following.set(false);
     depart();
@@ -120,7 +135,7 @@ public final class SimulatorCamera {
     settle();
   }
 
-  /** About the drone with the drone in the middle of the picture, or all of the scene. */
+  /** Centres the followed drone, or fits the whole scene. */
   private void settle() {
     fitted = !follows();
     orbit =
@@ -133,7 +148,7 @@ public final class SimulatorCamera {
     depart();
     tracking = now;
     if (chasing) {
-      return; // which follows anyway
+      return; // chasing always follows the drone
     }
     if (now) {
       double distance = fitted ? FOLLOW_DISTANCE : orbit.distance();
@@ -146,22 +161,22 @@ public final class SimulatorCamera {
     }
   }
 
-  /** Turns about the pivot as if a hand pulled the scene by some pixels, right and down. */
+  /** Rotates about the pivot, as if the scene were dragged to the right and down by some pixels. */
   public void turn(double rightPixels, double downPixels) {
     takeOver();
     orbit = orbit.turned(-rightPixels * TURN_PER_PIXEL, downPixels * TURN_PER_PIXEL);
   }
 
-  /** Turns the scene about the vertical axis, clockwise seen from above. */
+  /** Rotates the scene about the vertical axis, clockwise seen from above. */
   void rotate(double degrees) {
     takeOver();
     orbit = orbit.turned(Math.toRadians(degrees), 0);
   }
 
   /**
-   * Shifts the scene as if a hand pulled it by some pixels, right and down.
+   * Pans the scene, as if it were dragged to the right and down by some pixels.
    *
-   * @param pictureHeight height of the picture in pixels; the scene follows the pointer
+   * @param pictureHeight the height of the view [px], needed to make the scene follow the pointer
    */
   void shift(double rightPixels, double downPixels, double pictureHeight) {
     takeOver();
@@ -171,32 +186,32 @@ public final class SimulatorCamera {
         orbit.shifted(-rightPixels * metersPerPixel, downPixels * metersPerPixel, roomDiagonal());
   }
 
-  /** Comes nearer by some pixels of scrolling; negative goes away. */
+  /** Zooms in by a number of scrolled pixels, or out if the number is negative. */
   void zoom(double pixels) {
     zoomBy(Math.exp(pixels * ZOOM_PER_PIXEL));
   }
 
   /**
-   * Comes nearer.
+   * Zooms in.
    *
-   * @param factor by which things look larger
+   * @param factor the magnification
    */
   public void zoomBy(double factor) {
     takeOver();
     orbit = orbit.zoomed(1 / factor, Math.max(farthest(), orbit.distance()));
   }
 
-  /** Where it is and how it looks, room frame; it looks along its x axis. */
+  /** Returns the pose of the camera in the room frame. The camera looks along its x axis. */
   public Pose pose() {
     return shown().pose(Vec3.ZERO);
   }
 
-  /** Distance from what it looks at [m]. */
+  /** Returns the distance from the pivot [m]. */
   public double distance() {
     return shown().distance();
   }
 
-  /** From where the scene is seen. */
+  /** Returns the viewpoint from which the scene is seen. */
   Viewpoint viewpoint() {
     return viewpoint(shown());
   }
@@ -210,20 +225,20 @@ public final class SimulatorCamera {
         seen.distance() + 3 * roomDiagonal());
   }
 
-  /** Shows where these are, too. */
+  /** Sets the goals that fitted views include. */
   void setGoals(List<Goal> goals) {
     framing.setGoals(goals);
   }
 
-  /** Whether it is on its way to another view. */
+  /** Returns whether a transition to another view is in progress. */
   boolean glides() {
     return transition.isPresent();
   }
 
   /**
-   * Follows the drone, or what becomes of the scene.
+   * Moves the camera after the drone, or fits it to a changed scene.
    *
-   * @param nanos the time of the picture [ns]
+   * @param nanos the time of the frame [ns]
    */
   void advance(long nanos, PictureArea picture) {
     double seconds = lastNanos == 0 ? 0 : Math.min(LONGEST_BEAT, (nanos - lastNanos) / 1e9);
@@ -249,7 +264,7 @@ public final class SimulatorCamera {
     }
   }
 
-  /** A drone that was chosen is in the picture at once; the camera moves only if it must. */
+  /** Brings a newly selected drone into view. The camera moves only if necessary. */
   private void find(FxDroneModel drone) {
     Vec3 place = drone.poseProperty().get().position();
     if (follows()) {
@@ -261,13 +276,13 @@ public final class SimulatorCamera {
     }
   }
 
-  /** Moves smoothly from what is seen now to what will be seen. */
+  /** Starts a smooth transition from the current view to the next one. */
   private void depart() {
     boolean jumps = reducedMotion.get() || framing.picture().isEmpty();
     transition = jumps ? Optional.empty() : Optional.of(new CameraTransition(shown()));
   }
 
-  /** A hand moves on from what is seen now. */
+  /** Ends fitting and any transition, so that a gesture continues from the current view. */
   private void takeOver() {
     Orbit seen = shown();
     Orbit about = seen.about(seen.shift().minus(pivot()));
@@ -277,7 +292,7 @@ public final class SimulatorCamera {
     view.set(Optional.empty());
   }
 
-  /** What is seen now, in the room frame. */
+  /** Returns the orbit of the current view, in the room frame. */
   private Orbit shown() {
     Orbit wanted = absolute(orbit);
     return transition.map(moving -> moving.towards(wanted)).orElse(wanted);
@@ -287,7 +302,7 @@ public final class SimulatorCamera {
     return own.about(own.shift().plus(pivot())).turned(chasing ? follow.heading() : 0, 0);
   }
 
-  /** What an orbit is about. */
+  /** Returns the target of the orbit: the followed point, or the room's origin. */
   private Vec3 pivot() {
     return follows() ? follow.point() : Vec3.ZERO;
   }
@@ -305,7 +320,10 @@ public final class SimulatorCamera {
     return simulation.selected().poseProperty().get().position().plus(MIDDLE);
   }
 
-  /** The heading of the drone's nose; a tilt of more than a quarter turn does not turn it. */
+  /**
+   * Returns the heading of the drone's nose. While the drone is tilted by more than a quarter turn,
+   * the followed heading is kept.
+   */
   private double droneHeading() {
     Attitude attitude = simulation.selected().poseProperty().get().attitude();
     return attitude.up().z() > 0 ? attitude.heading() : follow.heading();
@@ -319,7 +337,7 @@ public final class SimulatorCamera {
     return Math.max(8, 4 * roomDiagonal());
   }
 
-  /** From a corner of the room to the opposite one [m]. */
+  /** Returns the distance between opposite corners of the room [m]. */
   double roomDiagonal() {
     Room room = simulation.roomProperty().get();
     return new Vec3(room.depth(), room.width(), room.height()).norm();

@@ -4,15 +4,16 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 
 /**
- * A point and a heading that follow a drone smoothly: a little behind, so that one sees it start
- * and brake, but never so far that it leaves the picture. For one thread.
+ * A point and a heading that follow a drone smoothly. They lag a little behind the drone, so that
+ * its starting and braking can be seen, but never so far that the drone leaves the view. Not
+ * thread-safe.
  */
 final class SmoothFollow {
 
-  /** How long the point takes for most of the way [s]. Decided: by eye. */
+  /** Time constant of the point [s]. Decided: by eye. */
   static final double TIME_CONSTANT = 0.35;
 
-  /** The same for the heading [s]. Decided: by eye. */
+  /** Time constant of the heading [s]. Decided: by eye. */
   private static final double TURN_TIME_CONSTANT = 0.25;
 
   private Vec3 point;
@@ -24,12 +25,12 @@ final class SmoothFollow {
   }
 
   /**
-   * Lets time pass.
+   * Advances the time.
    *
-   * @param target where to [m]
-   * @param targetHeading radians
-   * @param seconds since the last call
-   * @param farthest how far behind it may stay [m]
+   * @param target the position of the drone [m]
+   * @param targetHeading the heading of the drone [rad]
+   * @param seconds the time since the last call [s]
+   * @param farthest the maximum lag [m]
    */
   void advance(Vec3 target, double targetHeading, double seconds, double farthest) {
     double part = 1 - Math.exp(-seconds / TIME_CONSTANT);

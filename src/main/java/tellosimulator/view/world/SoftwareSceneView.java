@@ -7,17 +7,21 @@ import tellosimulator.scenery.Scene;
 import tellosimulator.view.fx.ScreenPixels;
 
 /**
- * Shows scenes as the software camera renders them, for where JavaFX has no 3D: some frames a
- * second on a thread of their own, and none while nothing changes. For the JavaFX thread.
+ * Shows scenes when JavaFX has no 3D support. The software camera renders them on a separate
+ * thread: at most 25 frames a second, and none while nothing changes. Confined to the JavaFX
+ * thread.
  */
 final class SoftwareSceneView implements SceneView {
 
-  /** Shortest time from frame to frame [ns]. Decided: 25 a second, to leave time for others. */
+  /**
+   * Minimum time between two frames [ns]. Decided: 25 frames a second leave processor time for
+   * everything else.
+   */
   private static final long PERIOD = 40_000_000;
 
   /**
-   * Most pixels. Measured: a million take about 14 ms of a core. A larger frame is rendered smaller
-   * and stretched.
+   * Maximum number of pixels. Measured: a million pixels take one core about 14 ms. A larger frame
+   * is rendered at a lower resolution and stretched.
    */
   private static final double MOST_PIXELS = 1e6;
 
@@ -43,11 +47,11 @@ final class SoftwareSceneView implements SceneView {
     node.setFitHeight(height);
   }
 
-  /** They stay as they are: several samples a pixel would take too long. */
+  /** Does nothing, because several samples per pixel would take too long. */
   @Override
   public void smoothEdges(boolean smooth) {}
 
-  /** Everything: it shows one picture, through which the dark ground behind it is seen. */
+  /** Dims everything: the single image becomes translucent in front of a dark background. */
   @Override
   public void dim(double brightness) {
     node.setOpacity(brightness);
@@ -79,7 +83,7 @@ final class SoftwareSceneView implements SceneView {
     return window == null ? 1 : window.getOutputScaleX();
   }
 
-  /** Whether it has nothing new to show. */
+  /** Returns whether there is nothing new to show. */
   boolean settled() {
     return renderer.settled();
   }

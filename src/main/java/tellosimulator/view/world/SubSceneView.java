@@ -9,7 +9,10 @@ import javafx.scene.transform.Affine;
 import tellosimulator.scenery.Scene;
 import tellosimulator.view.fx.FxFrames;
 
-/** Shows scenes in a SubScene. Only where JavaFX has 3D. For the JavaFX thread. */
+/**
+ * Shows scenes in a {@link SubScene}, which requires JavaFX 3D support. Confined to the JavaFX
+ * thread.
+ */
 final class SubSceneView implements SceneView {
 
   private final SceneNodes nodes = new SceneNodes();
@@ -38,12 +41,12 @@ final class SubSceneView implements SceneView {
     subScene.setHeight(height);
   }
 
-  /** A SubScene cannot change how it smooths edges, so there is a new one. */
+  /** Replaces the SubScene, because the anti-aliasing of a SubScene cannot be changed. */
   @Override
   public void smoothEdges(boolean smooth) {
     SubScene before = subScene;
     subScene.setRoot(new Group());
-    subScene.setCamera(null); // a camera is only for one SubScene
+    subScene.setCamera(null); // a camera can belong to one SubScene only
     SceneAntialiasing edges = smooth ? SceneAntialiasing.BALANCED : SceneAntialiasing.DISABLED;
     subScene = new SubScene(content, before.getWidth(), before.getHeight(), true, edges);
     subScene.setId("sub-scene");

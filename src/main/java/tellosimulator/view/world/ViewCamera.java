@@ -1,9 +1,9 @@
 package tellosimulator.view.world;
 
-/** Through which camera the 3D scene is seen. */
+/** The camera through which the 3D scene is seen. */
 public enum ViewCamera {
-  /** The one that orbits the drone. */
+  /** The camera that shows the room, or orbits a drone. */
   SIMULATOR,
-  /** The one in the drone's nose. */
+  /** The camera in the drone's nose. */
   DRONE
 }

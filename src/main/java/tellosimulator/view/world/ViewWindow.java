@@ -8,10 +8,10 @@ import tellosimulator.math.Vec3;
 import tellosimulator.view.world.Orbit.Offset;
 
 /**
- * A rectangle of a perspective picture: the tangents at which its edges are seen, from the middle
- * of the picture. Immutable; for any thread.
+ * A rectangle of a perspective view, given by the tangents of the angles between the middle of the
+ * view and the rectangle's edges. Immutable.
  *
- * @param left positive at the left of the middle
+ * @param left positive to the left of the middle
  * @param right less than {@code left}
  * @param top positive above the middle
  * @param bottom less than {@code top}
@@ -19,11 +19,11 @@ import tellosimulator.view.world.Orbit.Offset;
 record ViewWindow(double left, double right, double top, double bottom) {
 
   /**
-   * A rectangle of a picture.
+   * Returns a rectangle of a view.
    *
-   * @param fieldOfView from top to bottom of the picture [rad]
-   * @param size of the picture [px]
-   * @param part of it, from its top left corner [px]
+   * @param fieldOfView the angle from top to bottom of the view [rad]
+   * @param size the size of the view [px]
+   * @param part the rectangle, from the view's top left corner [px]
    */
   static ViewWindow of(double fieldOfView, Dimension2D size, Rectangle2D part) {
     double focalLength = size.getHeight() / 2 / Math.tan(fieldOfView / 2);
@@ -34,24 +34,25 @@ record ViewWindow(double left, double right, double top, double bottom) {
         (size.getHeight() / 2 - part.getMaxY()) / focalLength);
   }
 
-  /** Where its middle is seen. */
+  /** Returns the offset of the rectangle's middle. */
   Offset middle() {
     return new Offset((left + right) / 2, (top + bottom) / 2);
   }
 
   /**
-   * Where a camera is nearest to some points and sees all of them in this rectangle. They touch two
-   * opposite edges of it. Between the left and the right one they lie in the middle, between the
-   * upper and the lower one as well if the camera looks down; the more level it looks, the nearer
-   * they are to the lower edge, as the walls of a room stand above its floor.
+   * Returns the nearest camera position from which all of the given points are seen in this
+   * rectangle. The points then touch two opposite edges. They are centred between left and right,
+   * and also between top and bottom if the camera looks straight down. The more level the camera
+   * looks, the nearer the points are to the lower edge, because the walls of a room rise above its
+   * floor.
    *
    * <p>In the camera's frame, a camera at c sees a point p within the left edge if (p.y − c.y) /
    * (p.x − c.x) is at most {@code left}, so c.y − left c.x must be at least the greatest p.y − left
-   * p.x. The four edges together leave an interval for c.y and one for c.z, which shrink as c.x
-   * grows; at the greatest c.x one of them is a point.
+   * p.x. The four edges together leave an interval for c.y and one for c.z. Both intervals shrink
+   * as c.x grows; at the greatest c.x, one of them is a point.
    *
-   * @param points room frame [m]; at least two
-   * @param attitude of the camera, which looks along its x axis
+   * @param points at least two points in the room frame [m]
+   * @param attitude the attitude of the camera, which looks along its x axis
    */
   Vec3 nearest(List<Vec3> points, Attitude attitude) {
     double leftmost = Double.NEGATIVE_INFINITY;

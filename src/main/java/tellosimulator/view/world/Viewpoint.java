@@ -10,20 +10,21 @@ import tellosimulator.video.camera.CameraIntrinsics;
 import tellosimulator.video.camera.PinholeCamera;
 
 /**
- * From where a window sees the scene. Immutable; for any thread.
+ * The viewpoint from which a window shows the scene. Immutable.
  *
- * @param pose of the camera, room frame; it looks along its x axis
- * @param fieldOfView across the image [rad]
- * @param vertical whether the field of view is from top to bottom, or from left to right
- * @param near nearer things are clipped [m]
- * @param far farther things need not be drawn [m]
+ * @param pose the pose of the camera in the room frame; the camera looks along its x axis
+ * @param fieldOfView the angle between two opposite edges of the image [rad]
+ * @param vertical whether the field of view is from top to bottom, instead of from left to right
+ * @param near the distance of the near plane [m]
+ * @param far the distance beyond which objects need not be drawn [m]
  */
 record Viewpoint(Pose pose, double fieldOfView, boolean vertical, double near, double far) {
 
   /**
-   * Where a place is seen in an image of this size [pixels from its top left corner].
+   * Projects a place onto an image of the given size [px].
    *
-   * @return empty if it is behind the camera or outside of the image
+   * @return the pixel, from the top left corner; empty if the place is outside the image or not
+   *     beyond the near plane
    */
   Optional<Point2D> project(Vec3 place, double width, double height) {
     Vec3 seen = pose.attitude().toBody(place.minus(pose.position()));
@@ -37,12 +38,12 @@ record Viewpoint(Pose pose, double fieldOfView, boolean vertical, double near, d
     return seen.x() > near && inImage ? Optional.of(pixel) : Optional.empty();
   }
 
-  /** For what helps people alone. */
+  /** Returns the eye for which the visual aids are drawn. */
   Eye eye() {
     return new Eye(pose, near);
   }
 
-  /** A pinhole camera with an image of this size [pixels]. */
+  /** Returns a pinhole camera with an image of the given size [pixels]. */
   PinholeCamera pinhole(int width, int height) {
     double across =
         vertical ? 2 * Math.atan(Math.tan(fieldOfView / 2) * width / height) : fieldOfView;

@@ -14,15 +14,15 @@ import tellosimulator.view.model.SceneContext;
 import tellosimulator.view.text.Messages;
 
 /**
- * Where the wind blows, in the view of the camera: upwards is away from it. Only there while there
- * is wind. For the JavaFX thread.
+ * An arrow in the direction of the wind, relative to the camera: upwards means away from the
+ * camera. The arrow is hidden in calm air. Confined to the JavaFX thread.
  */
 final class WindArrow extends VBox {
 
   /** Radius of the arrow's circle [px]. */
   private static final double RADIUS = 18;
 
-  /** Slower is calm [m/s]. */
+  /** Speed below which the air counts as calm [m/s]. */
   private static final double CALM = 0.005;
 
   private final FxSimulation simulation;
@@ -51,7 +51,11 @@ final class WindArrow extends VBox {
     setVisible(false);
   }
 
-  /** Turns with the camera. */
+  /**
+   * Updates the direction, which also depends on the camera.
+   *
+   * @param wanted whether the arrow may be shown
+   */
   void advance(boolean wanted) {
     Vec3 mean = mean();
     boolean blows = wanted && mean.norm() > CALM;

@@ -9,7 +9,7 @@ import tellosimulator.math.Vec3;
 
 class BodyMeshTest {
 
-  /** What a computer without a graphics card draws in no time. */
+  /** Limit for fast drawing on a computer without a graphics card. */
   private static final int MOST_TRIANGLES = 6000;
 
   private final SmoothMeshBuilder mesh = BodyMesh.shape();

@@ -13,7 +13,7 @@ import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.testing.SimulatedDrones;
 
-/** What one sees of {@code EXT led} and {@code EXT mled}. */
+/** Tests the visible effects of {@code EXT led} and {@code EXT mled}. */
 class ExtensionBoardTest {
 
   private final SceneBuilder scenes = new SceneBuilder();

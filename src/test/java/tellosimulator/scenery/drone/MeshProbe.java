@@ -10,7 +10,7 @@ import java.util.function.ToDoubleFunction;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.drone.SmoothMeshBuilder.Triangle;
 
-/** What a test asks of a mesh: its extent, its solids, and whether they are closed. */
+/** Measures a mesh for tests: its extent, its solids, and whether they are closed. */
 final class MeshProbe {
 
   /** A directed edge of a triangle. */
@@ -30,7 +30,7 @@ final class MeshProbe {
     return mesh.vertices().stream().mapToDouble(coordinate).max().orElseThrow();
   }
 
-  /** Vertices of the triangles of a colour. */
+  /** Returns the vertices of the triangles of a colour. */
   List<Vec3> painted(Palette color) {
     List<Vec3> vertices = mesh.vertices();
     return mesh.triangles().stream()
@@ -40,7 +40,7 @@ final class MeshProbe {
         .toList();
   }
 
-  /** Edges that do not have exactly one neighbour that runs against them. */
+  /** Returns the number of edges without exactly one neighbour in the opposite direction. */
   long openEdges() {
     Map<Edge, Integer> edges = new HashMap<>();
     for (Triangle triangle : mesh.triangles()) {
@@ -56,7 +56,7 @@ final class MeshProbe {
         .count();
   }
 
-  /** The volume of each solid [m³]; negative if its normals lead inwards. */
+  /** Returns the volume of each solid [m³]; negative if its normals point inwards. */
   List<Double> volumes() {
     int[] solid = new int[mesh.vertices().size()];
     for (int i = 0; i < solid.length; i++) {
@@ -73,14 +73,14 @@ final class MeshProbe {
     return new ArrayList<>(volumes.values());
   }
 
-  /** Which colours there are. */
+  /** Returns the colours of all triangles. */
   Set<Palette> colors() {
     Set<Palette> colors = new HashSet<>();
     mesh.triangles().forEach(triangle -> colors.add(triangle.color()));
     return colors;
   }
 
-  /** Of the pyramid from the origin. */
+  /** Returns the signed volume of the pyramid from the origin. */
   private double volumeBelow(Triangle triangle) {
     List<Vec3> vertices = mesh.vertices();
     Vec3 b = vertices.get(triangle.b());

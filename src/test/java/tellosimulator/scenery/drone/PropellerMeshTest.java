@@ -28,7 +28,7 @@ class PropellerMeshTest {
     assertThat(heightInFrontOfTheBladeAtPlusX(true)).isNegative();
   }
 
-  /** Turning counter-clockwise, the blade at +x goes towards +y. */
+  /** Turning counter-clockwise, the blade at +x moves towards +y. */
   private static double heightInFrontOfTheBladeAtPlusX(boolean clockwise) {
     return PropellerMesh.shape(clockwise).vertices().stream()
         .filter(vertex -> vertex.x() > 0.01 && vertex.y() > 0.002)

@@ -87,7 +87,7 @@ class StatusLightTest {
     assertThat(StatusLight.steady(drone.snapshot())).isEqualTo(drone.snapshot());
   }
 
-  /** What one sees within two seconds. */
+  /** Returns the visible states within two seconds. */
   private Set<StatusLight> seen(boolean steady) {
     Set<StatusLight> seen = EnumSet.noneOf(StatusLight.class);
     for (int i = 0; i < 40; i++) {

@@ -210,7 +210,9 @@ class FurnitureTest {
         .anyMatch(instance -> instance.part().material().shading() == Shading.TRANSLUCENT);
   }
 
-  /** The volume within all meshes of a thing [m³], less where they are seen from inside. */
+  /**
+   * Returns the volume within all meshes of a shape [m³], less that of meshes that face inwards.
+   */
   private double volume(Shape shape) {
     double volume = 0;
     for (Part part : parts(shape, ObstacleAppearance.DEFAULT)) {

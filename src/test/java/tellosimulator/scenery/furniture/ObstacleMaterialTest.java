@@ -54,7 +54,7 @@ class ObstacleMaterialTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"c02020, 9d1a1a", "f0e000, c5b800", "ffffff, d1d1d1"}) // 82 % of it
+  @CsvSource({"c02020, 9d1a1a", "f0e000, c5b800", "ffffff, d1d1d1"}) // 82 % of the colour
   void segmentsOfAGateAlternateInShadesOfItsOwnColor(String own, String other) {
     Rgb color = Rgb.of(Integer.parseInt(own, 16));
     Texture texture = texture(ObstacleMaterial.SEGMENTS, color);

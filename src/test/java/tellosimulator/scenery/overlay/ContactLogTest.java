@@ -22,7 +22,7 @@ class ContactLogTest {
     crash(2, Vec3.ZERO);
 
     assertThat(log.marks())
-        .containsExactly(new ContactMark(1, HERE, false), new ContactMark(2, Vec3.ZERO, true));
+        .containsExactly(new ContactDecal(1, HERE, false), new ContactDecal(2, Vec3.ZERO, true));
   }
 
   @Test
@@ -32,7 +32,7 @@ class ContactLogTest {
     }
 
     assertThat(log.marks()).hasSizeBetween(9, 10);
-    List<ContactMark> before = log.marks();
+    List<ContactDecal> before = log.marks();
     touch(1, new Vec3(0.5, 0, 1));
     assertThat(log.marks()).as("the same list").isSameAs(before);
   }
@@ -51,9 +51,9 @@ class ContactLogTest {
     touch(2, HERE);
 
     happened(1, new FlightEvent.PutBack());
-    assertThat(log.marks()).extracting(ContactMark::drone).containsExactly(2);
+    assertThat(log.marks()).extracting(ContactDecal::drone).containsExactly(2);
 
-    log.event(new SimEvent.Restarted(SimTime.ZERO));
+    log.event(new SimEvent.RunStarted(SimTime.ZERO));
     assertThat(log.marks()).isEmpty();
   }
 

@@ -28,14 +28,14 @@ class DroneTagTest {
 
   @Test
   void thatOfTheChosenDroneIsInFrontOfThoseOfNearerOnes() {
-    Marker chosen = tag(2, Emphasis.STRONG, new Vec3(3, 0, 0));
-    Marker nearer = tag(2, Emphasis.FAINT, Vec3.ZERO);
+    OverlayItem chosen = tag(2, Emphasis.STRONG, new Vec3(3, 0, 0));
+    OverlayItem nearer = tag(2, Emphasis.FAINT, Vec3.ZERO);
 
     assertThat(chosen.distance()).isLessThan(nearer.distance());
     assertThat(fromEye(chosen.instance())).isLessThan(fromEye(nearer.instance()));
   }
 
-  /** Edge in the picture, as a share of the distance. */
+  /** Returns the apparent edge, as a share of the distance. */
   private static double size(int drones, Emphasis emphasis) {
     Instance tag = tag(drones, emphasis, Vec3.ZERO).instance();
     return tag.largestScale() / fromEye(tag);
@@ -45,7 +45,7 @@ class DroneTagTest {
     return tag.pose().position().distanceTo(EYE.pose().position());
   }
 
-  private static Marker tag(int drones, Emphasis emphasis, Vec3 place) {
+  private static OverlayItem tag(int drones, Emphasis emphasis, Vec3 place) {
     return new DroneTag(1, BLUE, drones).above(new Pose(place, Attitude.LEVEL), 0, emphasis, EYE);
   }
 }

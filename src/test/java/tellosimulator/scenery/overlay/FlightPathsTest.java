@@ -57,7 +57,7 @@ class FlightPathsTest {
     assertThat(paths.present().size()).isZero();
   }
 
-  /** Up from the floor and down again. */
+  /** Flies up from the floor and down again. */
   private void fly(double height) {
     paths.advance(false, new Vec3(0, 0, 0));
     paths.advance(true, new Vec3(0, 0, 0));

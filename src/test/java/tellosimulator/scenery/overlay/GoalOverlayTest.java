@@ -12,8 +12,8 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import tellosimulator.goal.Goal.Direction;
-import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.GoalState;
+import tellosimulator.goal.PlacedGoal;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -28,16 +28,16 @@ import tellosimulator.sim.Simulation;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 
-/** The goals and contacts of an overlay. */
+/** Tests the goals and contacts of an overlay. */
 class GoalOverlayTest {
 
   private static final Eye EYE = new Eye(new Pose(new Vec3(-3, 0, 1), Attitude.LEVEL), 0.1);
 
-  /** Two drones. The second one has the orange of its number. */
+  /** Two drones. The second one has the default colour of its number, orange. */
   private static final SimSnapshot SNAPSHOT = snapshot();
 
   private static final Rgb ORANGE = Rgb.of(0xe69f00);
-  private static final GoalMark.Ball BALL = new GoalMark.Ball(new Vec3(1, 0, 1), 0.4);
+  private static final PlacedGoal.Ball BALL = new PlacedGoal.Ball(new Vec3(1, 0, 1), 0.4);
 
   private static final Shape.Gate RING = new Shape.Ring(0.5, 0.05, 1);
   private static final Shape.Gate FRAME = new Shape.Frame(1, 0.8, 0.05, 1);
@@ -65,11 +65,11 @@ class GoalOverlayTest {
 
     show(mark(1, GoalState.DONE, BALL));
     assertThat(shown()).as("ball and number").hasSize(others + 2);
-    show(mark(1, GoalState.ACTIVE, new GoalMark.Ball(new Vec3(1, 0, 0.3), 0.4)));
+    show(mark(1, GoalState.ACTIVE, new PlacedGoal.Ball(new Vec3(1, 0, 0.3), 0.4)));
     assertThat(shown()).as("ball and number, as it reaches the floor").hasSize(others + 2);
   }
 
-  /** The only instance on the floor below the ball. */
+  /** Returns the only instance on the floor below the ball. */
   private Instance plumbLine() {
     return shown().stream()
         .filter(one -> one.pose().position().equals(new Vec3(1, 0, 0)))
@@ -89,34 +89,34 @@ class GoalOverlayTest {
     overlay.showGoalLine(false);
     for (GoalState state : GoalState.values()) {
       show(mark(1, state, BALL));
-      assertThat(count(hasColor(MarkColors.of(state)))).as(state.name()).isEqualTo(2);
+      assertThat(count(hasColor(OverlayColors.of(state)))).as(state.name()).isEqualTo(2);
     }
-    assertThat(MarkColors.of(GoalState.DONE).green()).isGreaterThan(100);
-    assertThat(MarkColors.of(GoalState.ACTIVE).blue()).isGreaterThan(200);
+    assertThat(OverlayColors.of(GoalState.DONE).green()).isGreaterThan(100);
+    assertThat(OverlayColors.of(GoalState.ACTIVE).blue()).isGreaterThan(200);
   }
 
   @Test
   void theGoalOfADroneHasItsColorUntilItIsReached() {
     overlay.showGoalLine(false);
     long before = count(hasColor(ORANGE)); // its number
-    show(new GoalMark(1, OptionalInt.of(2), GoalState.ACTIVE, BALL));
+    show(new PlacedGoal(1, OptionalInt.of(2), GoalState.ACTIVE, BALL));
     assertThat(count(hasColor(ORANGE))).isEqualTo(before + 2);
 
-    show(new GoalMark(1, OptionalInt.of(2), GoalState.DONE, BALL));
+    show(new PlacedGoal(1, OptionalInt.of(2), GoalState.DONE, BALL));
     assertThat(count(hasColor(ORANGE))).isEqualTo(before);
   }
 
   @Test
   void aCircleIsSeenOnDarkAndOnLightFloorsWhateverItsState() {
     for (GoalState state : GoalState.values()) {
-      show(mark(1, state, new GoalMark.Circle(new Vec3(1, 1, 0), 0.2)));
+      show(mark(1, state, new PlacedGoal.Circle(new Vec3(1, 1, 0), 0.2)));
 
       assertThat(shown())
-          .anyMatch(one -> has(one, MarkColors.of(state), 170) && has(one, Rgb.WHITE, 120));
+          .anyMatch(one -> has(one, OverlayColors.of(state), 170) && has(one, Rgb.WHITE, 120));
     }
   }
 
-  /** Whether a texture has a color, at least so opaque [of 255]. */
+  /** Returns whether a texture has a colour with at least this alpha [0 to 255]. */
   private static boolean has(Instance instance, Rgb color, int opaque) {
     return Arrays.stream(instance.part().material().texture().argbArray())
         .filter(texel -> texel >>> 24 >= opaque)
@@ -126,7 +126,7 @@ class GoalOverlayTest {
   @Test
   void onlyTheCircleThatComesNextShines() {
     overlay.showGoalLine(false);
-    GoalMark.Circle circle = new GoalMark.Circle(new Vec3(1, 1, 0.6), 0.2);
+    PlacedGoal.Circle circle = new PlacedGoal.Circle(new Vec3(1, 1, 0.6), 0.2);
     show(mark(1, GoalState.LATER, circle));
     assertThat(shown()).as("circle and number").hasSize(others + 2);
     assertThat(shown())
@@ -137,6 +137,17 @@ class GoalOverlayTest {
     assertThat(shown())
         .as("the light inside and outside, and what shines through")
         .hasSize(others + 5);
+  }
+
+  @Test
+  void whatMustBeSeenHasAFrameAndANumber() {
+    overlay.showGoalLine(false);
+    Pose pose = new Pose(new Vec3(2.5, 0, 1), Attitude.LEVEL);
+    for (GoalState state : GoalState.values()) {
+      show(mark(1, state, new PlacedGoal.Square(pose, 0.3)));
+      assertThat(shown()).as(state.name()).hasSize(others + 2);
+      assertThat(count(hasColor(OverlayColors.of(state)))).as(state.name()).isEqualTo(2);
+    }
   }
 
   @Test
@@ -156,7 +167,7 @@ class GoalOverlayTest {
     for (Shape.Gate shape : List.of(RING, FRAME)) {
       show(mark(1, GoalState.DONE, gate(shape, Direction.ALONG)));
       assertThat(shown()).as("outline and tick, no arrow").hasSize(others + 2);
-      assertThat(count(hasColor(MarkColors.of(GoalState.DONE)))).isEqualTo(2);
+      assertThat(count(hasColor(OverlayColors.of(GoalState.DONE)))).isEqualTo(2);
 
       Mesh outline = gateMesh();
       // both are 0.5 + 0.05 m from the middle to the outer edge, and stand off by 0.012 m
@@ -165,7 +176,7 @@ class GoalOverlayTest {
     }
   }
 
-  /** Of the only instance at the foot of the gate. */
+  /** Returns the mesh of the only instance at the foot of the gate. */
   private Mesh gateMesh() {
     return shown().stream()
         .filter(one -> one.pose().position().equals(new Vec3(1, 0, 0)))
@@ -207,8 +218,8 @@ class GoalOverlayTest {
         mark(2, GoalState.ACTIVE, gate(Direction.EITHER)));
 
     assertThat(shown()).hasSize(others + 3);
-    assertThat(count(hasColor(MarkColors.of(GoalState.DONE)))).as("the tick").isEqualTo(1);
-    assertThat(count(hasColor(MarkColors.of(GoalState.ACTIVE)))).isEqualTo(2);
+    assertThat(count(hasColor(OverlayColors.of(GoalState.DONE)))).as("the tick").isEqualTo(1);
+    assertThat(count(hasColor(OverlayColors.of(GoalState.ACTIVE)))).isEqualTo(2);
   }
 
   @Test
@@ -222,7 +233,7 @@ class GoalOverlayTest {
     assertThat(balls.get(1).pose().position().x()).isEqualTo(1);
     int ofDrones = all.size() - others; // rings and tags of drones come last
     for (Instance number : all.subList(ofDrones - 2, ofDrones)) {
-      // clipped is what is nearer than 0.1 m; the tags of goals are four layers from that
+      // the near plane is at 0.1 m, and the tags of goals are in the fourth layer behind it
       assertThat(number.pose().position().distanceTo(EYE.pose().position())).isBetween(0.39, 0.46);
     }
     assertThat(all).allMatch(one -> one.part().material().shading() == Shading.TRANSLUCENT);
@@ -240,18 +251,19 @@ class GoalOverlayTest {
     overlay.show(
         List.of(),
         List.of(
-            new ContactMark(1, new Vec3(1, 0, 1), false),
-            new ContactMark(1, new Vec3(2, 0, 0), true)));
+            new ContactDecal(1, new Vec3(1, 0, 1), false),
+            new ContactDecal(1, new Vec3(2, 0, 0), true)));
 
-    assertThat(count(hasColor(MarkColors.CONTACT))).isEqualTo(2);
+    assertThat(count(hasColor(OverlayColors.CONTACT))).isEqualTo(2);
   }
 
   @Test
   void aContactStandsOnItsPlaceInFrontOfRingsAndBehindNumbersOfDrones() {
     Vec3 place = new Vec3(1, 0.5, 1);
-    overlay.show(List.of(), List.of(new ContactMark(1, place, false)));
+    overlay.show(List.of(), List.of(new ContactDecal(1, place, false)));
 
-    Instance pin = shown().stream().filter(hasColor(MarkColors.CONTACT)).findFirst().orElseThrow();
+    Instance pin =
+        shown().stream().filter(hasColor(OverlayColors.CONTACT)).findFirst().orElseThrow();
     Vec3 camera = EYE.pose().position();
     Vec3 seen = pin.pose().position().minus(camera);
     Vec3 middle = place.plusScaled(Vec3.UP, 0.02).minus(camera); // of the drone
@@ -274,7 +286,7 @@ class GoalOverlayTest {
     show(mark(1, state, BALL));
     return shown().stream()
         .filter(one -> one.part().material().texture().width() == 64)
-        .filter(hasColor(MarkColors.of(state)))
+        .filter(hasColor(OverlayColors.of(state)))
         .mapToDouble(one -> one.scale().x())
         .findFirst()
         .orElseThrow();
@@ -283,7 +295,7 @@ class GoalOverlayTest {
   @Test
   void theCircleThatComesNextIsFaintlySeenThroughObstacles() {
     overlay.showGoalLine(false);
-    show(mark(1, GoalState.ACTIVE, new GoalMark.Circle(new Vec3(1, 0, 0), 0.2)));
+    show(mark(1, GoalState.ACTIVE, new PlacedGoal.Circle(new Vec3(1, 0, 0), 0.2)));
     Vec3 camera = EYE.pose().position();
     double farthest = camera.distanceTo(new Vec3(1, 0, 0));
 
@@ -304,7 +316,7 @@ class GoalOverlayTest {
         .isLessThan(strongest(circles.get(0)));
   }
 
-  /** The largest alpha of its texture. */
+  /** Returns the largest alpha of its texture. */
   private static int strongest(Instance instance) {
     return Arrays.stream(instance.part().material().texture().argbArray())
         .map(argb -> argb >>> 24)
@@ -312,7 +324,7 @@ class GoalOverlayTest {
         .orElseThrow();
   }
 
-  private void show(GoalMark... marks) {
+  private void show(PlacedGoal... marks) {
     overlay.show(List.of(marks), List.of());
   }
 
@@ -342,27 +354,27 @@ class GoalOverlayTest {
         + Math.abs(one.blue() - other.blue());
   }
 
-  private static GoalMark mark(int number, GoalState state, GoalMark.Place place) {
-    return new GoalMark(number, OptionalInt.empty(), state, place);
+  private static PlacedGoal mark(int number, GoalState state, PlacedGoal.Place place) {
+    return new PlacedGoal(number, OptionalInt.empty(), state, place);
   }
 
-  private static GoalMark.Ball moved(double ahead) {
-    return new GoalMark.Ball(new Vec3(1 + ahead, 0, 1), 0.4);
+  private static PlacedGoal.Ball moved(double ahead) {
+    return new PlacedGoal.Ball(new Vec3(1 + ahead, 0, 1), 0.4);
   }
 
-  /** Its way along x leads to the right. */
-  private static GoalMark.Opening gate(Direction direction) {
+  /** Returns a gate whose passage along x leads to the right. */
+  private static PlacedGoal.Opening gate(Direction direction) {
     return gate(RING, direction);
   }
 
-  private static GoalMark.Opening gate(Shape.Gate shape, Direction direction) {
+  private static PlacedGoal.Opening gate(Shape.Gate shape, Direction direction) {
     Pose foot = new Pose(new Vec3(1, 0, 0), Attitude.ofHeading(-Math.PI / 2));
-    return new GoalMark.Opening("A", shape, foot, direction);
+    return new PlacedGoal.Opening("A", shape, foot, direction);
   }
 
   private static SimSnapshot snapshot() {
     SimConfig two =
         SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT));
-    return new Simulation(two, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
+    return new Simulation(two, drone -> datagram -> {}, List.of()).snapshot();
   }
 }

@@ -43,7 +43,7 @@ class HeadingRingTest {
       Pose drone = new Pose(new Vec3(0, 0, 1), Attitude.ofHeading(2));
       Vec3 towards = eye.pose().position().minus(drone.position()).normalized();
 
-      // sin 30 degrees, seen from as high
+      // sin 30 degrees, seen from the same height
       assertThat(instance(drone, eye).pose().attitude().up().dot(towards))
           .isCloseTo(0.5, within(0.01));
     }
@@ -78,8 +78,8 @@ class HeadingRingTest {
   void thatOfTheChosenDroneIsLargerAndBolderAndInFrontOfOthers() {
     Pose drone = new Pose(Vec3.ZERO, Attitude.LEVEL);
     Eye eye = eye(-4, 4);
-    Marker chosenRing = ring.around(drone, Emphasis.STRONG, eye).orElseThrow();
-    Marker otherRing = ring.around(drone, Emphasis.FAINT, eye).orElseThrow();
+    OverlayItem chosenRing = ring.around(drone, Emphasis.STRONG, eye).orElseThrow();
+    OverlayItem otherRing = ring.around(drone, Emphasis.FAINT, eye).orElseThrow();
     Instance chosen = chosenRing.instance();
     Instance other = otherRing.instance();
 
@@ -88,12 +88,12 @@ class HeadingRingTest {
     assertThat(covered(chosen)).isGreaterThan(1.3 * covered(other));
   }
 
-  /** Radius in the picture, as a share of the distance. */
+  /** Returns the apparent radius, as a share of the distance. */
   private static double seen(Instance ring, Eye eye) {
     return ring.largestScale() / ring.pose().position().distanceTo(eye.pose().position());
   }
 
-  /** How many texels can be seen. */
+  /** Returns the number of visible texels. */
   private static double covered(Instance ring) {
     return Arrays.stream(ring.part().material().texture().argbArray())
         .filter(argb -> argb >>> 24 > 127)
@@ -106,7 +106,7 @@ class HeadingRingTest {
     Pose away = new Pose(Vec3.ZERO, Attitude.LEVEL);
     Pose towards = new Pose(Vec3.ZERO, Attitude.ofHeading(Math.PI));
 
-    // From above a ring of 0.034 times 5 m, and an arrowhead of 1.9 radii upwards in the picture.
+    // From above, a ring of 0.034 times 5 m, and an arrowhead of 1.9 radii upwards on the screen.
     assertThat(ring.reach(towards, Emphasis.NORMAL, above)).isCloseTo(0.17, within(1e-3));
     assertThat(ring.reach(away, Emphasis.NORMAL, above)).isCloseTo(1.9 * 0.17, within(1e-3));
     assertThat(ring.reach(away, Emphasis.NORMAL, eye(-1, 1))).as("without a ring").isZero();

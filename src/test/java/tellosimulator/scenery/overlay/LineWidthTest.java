@@ -30,7 +30,7 @@ class LineWidthTest {
     assertThat(width.suits(new LineWidth(new Vec3(-9, 0, 1)), at(9))).as("both far").isTrue();
   }
 
-  /** A place so far ahead of the camera [m]. */
+  /** Returns a place at a distance ahead of the camera [m]. */
   private static Vec3 at(double distance) {
     return new Vec3(-1 + distance, 0, 1);
   }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -21,7 +22,7 @@ import tellosimulator.sim.Simulation;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
-/** What people see in the room, and drones do not. */
+/** Tests the visual aids that people see in the room, and drones do not. */
 class OverlayTest {
 
   private static final Eye CAMERA = new Eye(new Pose(new Vec3(-2, 0, 1), Attitude.LEVEL), 0.1);
@@ -94,7 +95,7 @@ class OverlayTest {
         .isSameAs(near.get(0).part());
   }
 
-  /** Of a trail straight up, the first of all instances [m]. */
+  /** Returns the thickness of a trail straight up, the first of all instances [m]. */
   private static double thickness(List<Instance> instances) {
     Mesh trail = instances.get(0).part().mesh();
     DoubleSummaryStatistics across =
@@ -121,8 +122,8 @@ class OverlayTest {
   }
 
   /**
-   * Of both parts of the path of the only drone that flies, its target and its plumb line, 0 to
-   * 255.
+   * Returns the alpha, 0 to 255, of both parts of the path of the only flying drone, of its target
+   * and of its plumb line.
    */
   private static List<Integer> opacities(Overlay overlay, Simulation simulation) {
     return overlay.instances(simulation.snapshot(), CAMERA).stream()
@@ -181,7 +182,7 @@ class OverlayTest {
   private void fly(Simulation simulation, Overlay overlay) {
     simulation.control(new Control.Power(1, true));
     for (String command : List.of("command", "takeoff", "up 150")) {
-      simulation.submit(1, OPERATOR, command);
+      simulation.submit(1, OPERATOR, WireText.encode(command));
       for (int i = 0; i < 2000; i++) { // ten seconds
         simulation.drain();
         simulation.step();
@@ -196,6 +197,6 @@ class OverlayTest {
   }
 
   private static Simulation simulation(SimConfig config) {
-    return new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of());
+    return new Simulation(config, drone -> datagram -> {}, List.of());
   }
 }

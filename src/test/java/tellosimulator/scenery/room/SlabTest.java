@@ -14,6 +14,7 @@ import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
+import tellosimulator.world.Walls;
 
 class SlabTest {
 
@@ -40,16 +41,17 @@ class SlabTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Finish.class)
-  void itIsMadeOncePerRoomAndDronesDoNotSeeIt(Finish finish) {
+  @EnumSource
+  void itIsMadeOncePerRoomAndDronesDoNotSeeIt(Walls walls) {
     Interior interior = new Interior();
+    Decor decor = Decor.DEFAULT.withWalls(walls);
 
-    List<Instance> onSlab = interior.onSlab(ROOM, Decor.DEFAULT, finish);
-    List<Instance> inside = interior.instances(ROOM, Decor.DEFAULT, finish);
+    List<Instance> onSlab = interior.onSlab(ROOM, decor);
+    List<Instance> inside = interior.instances(ROOM, decor);
 
     assertThat(onSlab).hasSize(inside.size() + 4).endsWith(inside.toArray(Instance[]::new));
-    assertThat(interior.onSlab(ROOM, Decor.DEFAULT, finish)).isSameAs(onSlab);
-    assertThat(interior.onSlab(new Room(6, 4, 2), Decor.DEFAULT, finish)).isNotEqualTo(onSlab);
+    assertThat(interior.onSlab(ROOM, decor)).isSameAs(onSlab);
+    assertThat(interior.onSlab(new Room(6, 4, 2), decor)).isNotEqualTo(onSlab);
   }
 
   private static Stream<Vec3> positions(Mesh mesh) {

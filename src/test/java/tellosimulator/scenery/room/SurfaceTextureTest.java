@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 class SurfaceTextureTest {
 
-  /** All filters of PNG are in these files. */
+  /** These files contain all filter types of PNG. */
   @ParameterizedTest
   @EnumSource
   void itIsTheImageFile(SurfaceTexture surface) throws IOException {

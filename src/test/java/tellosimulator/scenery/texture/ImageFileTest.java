@@ -175,8 +175,8 @@ class ImageFileTest {
 
     ImageTexture picture = ImageFile.read(file);
 
-    // At most 4095 pixels of an edge are kept, of the other here 2048: 8 million, each of them once
-    // as it is read (1 byte) and once as 4 bytes; with the rows, half of what was taken before.
+    // At most 4095 pixels of one edge are kept, of the other here 2048: 8 million, each once as it
+    // is read (1 byte) and once as 4 bytes; with the rows, half of what was used before.
     assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(100_000_000);
     assertThat(picture.texture().width()).isEqualTo(width >= 1024 ? 1024 : 256);
   }
@@ -202,7 +202,7 @@ class ImageFileTest {
     assertThat(reader.waitFor()).isZero();
   }
 
-  /** Reads a picture and says what is wrong with it. */
+  /** Reads an image and prints the error message. */
   static final class Reader {
 
     private Reader() {}
@@ -228,7 +228,7 @@ class ImageFileTest {
     return file.toString();
   }
 
-  /** The beginning of a PNG file in true colour. */
+  /** Returns the beginning of a PNG file in true colour. */
   private static byte[] pngHeader(int width, int height) throws IOException {
     ByteArrayOutputStream chunk = new ByteArrayOutputStream();
     DataOutputStream fields = new DataOutputStream(chunk);

@@ -21,7 +21,7 @@ class ValueNoiseTest {
       }
     }
     assertThat(most).isBetween(0.2, 0.5);
-    // from -0.5 to 0.5 within 8 pixels, at most half as steep again in the middle
+    // from -0.5 to 0.5 within 8 pixels; in the middle at most one and a half times as steep
     assertThat(steepest).isLessThan(1.5 / 8);
     assertThat(field.at(64, 3)).isEqualTo(field.at(0, 3));
     assertThat(field.at(-1, -1)).isEqualTo(field.at(63, 63));
@@ -49,7 +49,7 @@ class ValueNoiseTest {
       middle += tones.tone(i) > 0.25 && tones.tone(i) < 0.75 ? 1 : 0;
     }
     assertThat(sum).isBetween(49.0, 51.0);
-    // half of them if they were even; now (1/2)^(1/0.55) = 28 %
+    // half of them if evenly spread; here (1/2)^(1/0.55) = 28 %
     assertThat(middle).isBetween(27, 29);
   }
 

@@ -39,7 +39,7 @@ class DroneOpticsTest {
             optics.ahead(TestScenes.ORIGIN, 96, 72),
             TestScenes.painted(TestScenes.plain(RED), floor));
 
-    // As a camera with a near plane close to zero sees it.
+    // The same camera with a near plane close to zero.
     PinholeCamera camera = optics.ahead(TestScenes.ORIGIN, 96, 72);
     PinholeCamera all = new PinholeCamera(camera.pose(), camera.intrinsics(), 1e-4);
     assertThat(seen.count(RED))

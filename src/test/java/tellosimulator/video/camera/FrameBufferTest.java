@@ -11,7 +11,7 @@ class FrameBufferTest {
 
   private static final int WIDTH = 16;
 
-  /** Random frames; the same in each run. */
+  /** Number of random frames; the same in each run. */
   private static final int FRAMES = 200;
 
   private static final float FAR_INV_Z = 0.5f;
@@ -65,7 +65,7 @@ class FrameBufferTest {
   }
 
   /**
-   * The depth test is limited to the covered interval, so many overlaps are tried, odd and even.
+   * The depth test is limited to the covered interval, so many overlaps are tested, odd and even.
    */
   @Test
   void theNearestSpanIsSeenInAnyDrawingOrder() {
@@ -114,7 +114,7 @@ class FrameBufferTest {
     }
   }
 
-  /** With luma a, a + 1, ..., and chroma 100 and 200 above a. */
+  /** Returns a span with luma a, a + 1, ..., and chroma 100 and 200 above a. */
   private static Span span(int from, int count, int a) {
     Span span = new Span();
     span.ensureCapacity(WIDTH);

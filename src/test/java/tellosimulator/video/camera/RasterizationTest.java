@@ -27,7 +27,7 @@ class RasterizationTest {
 
   private static final Vec3 MIDDLE = Vec3.ZERO;
 
-  /** Random camera poses; the same in each run. */
+  /** Number of random camera poses; the same in each run. */
   private static final int POSES = 300;
 
   @Test
@@ -62,7 +62,7 @@ class RasterizationTest {
 
   @Test
   void textureCoordinatesArePerspectiveCorrectWithinATexel() {
-    // Red tells how far along x a place is, green how far along y: 0 to 255 on 4 m each.
+    // Red encodes the position along x, green along y: 0 to 255 on 4 m each.
     int[] argb = new int[256 * 256];
     Arrays.setAll(argb, i -> BLACK | (255 - i / 256) << 16 | (255 - i % 256) << 8);
     Quad quad = new Quad(new Vec3(0, 2, -0.4), new Vec3(0, -4, 0), new Vec3(4, 0, 0));
@@ -132,7 +132,7 @@ class RasterizationTest {
     Quad quad = Quad.ahead(0, MIDDLE, 2);
     Instance facing = lit(plain(0xffc0c0c0), quad);
     RenderedFrame ahead = RenderedFrame.of(facing);
-    // Shone on from above and the front.
+    // Lit from above and the front.
     Attitude tilted = new Attitude(Math.cos(0.4), 0, Math.sin(0.4), 0);
     Instance leaning = new Instance(facing.part(), new Pose(new Vec3(1, 0, 0), tilted), 1, 1);
 
@@ -188,7 +188,7 @@ class RasterizationTest {
         .normalized();
   }
 
-  /** Roughly ahead. */
+  /** A random attitude roughly ahead. */
   private static Attitude leaning(SplittableRandom random) {
     return new Attitude(
             1,

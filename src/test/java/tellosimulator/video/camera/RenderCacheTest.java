@@ -11,7 +11,7 @@ import tellosimulator.video.camera.TestScenes.Quad;
 
 class RenderCacheTest {
 
-  /** On a busy machine the JVM takes its time to tell of what is unreachable. */
+  /** On a busy machine the JVM takes some time to clear weak references. */
   private static final int GARBAGE_COLLECTIONS = 60;
 
   private static final int PATIENCE_MS = 1000;

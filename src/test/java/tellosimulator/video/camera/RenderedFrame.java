@@ -11,7 +11,7 @@ import tellosimulator.scenery.mesh.Instance;
 /** A small frame rendered by a software camera, and queries about its pixels. */
 final class RenderedFrame {
 
-  /** Square, with a field of view of 90 degrees: at 1 m one sees 1 m to each side. */
+  /** Square, with a field of view of 90 degrees: at 1 m, 1 m to each side is visible. */
   static final CameraIntrinsics INTRINSICS = new CameraIntrinsics(100, 100, Math.PI / 2);
 
   private final SoftwareCamera renderer = new SoftwareCamera(new RenderCache(ColorSpace.RGB));

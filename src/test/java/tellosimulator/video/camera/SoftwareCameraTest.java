@@ -67,7 +67,7 @@ class SoftwareCameraTest {
 
   @Test
   void intersectingQuadsAreDepthTestedPixelByPixel() {
-    // From 1.5 m on the left to 0.5 m on the right, through the other one in the middle.
+    // From 1.5 m on the left to 0.5 m on the right, intersecting the other one in the middle.
     Instance slanted =
         painted(plain(RED), new Quad(new Vec3(1.5, 3, -3), new Vec3(-1, -6, 0), new Vec3(0, 0, 6)));
     Instance upright = painted(plain(GREEN), Quad.ahead(1, MIDDLE, 6));
@@ -122,7 +122,7 @@ class SoftwareCameraTest {
 
     RenderedFrame frame = RenderedFrame.of(painted(four, Quad.ahead(1, MIDDLE, 2)));
 
-    // Half a pixel beside the middles of the texture's pixels, 50 pixels apart: 1 % of a neighbour.
+    // Half a pixel beside the centres of the texture's pixels, 50 pixels apart: 1 % of a neighbour.
     assertThat(channels(frame.rgb(25, 25))).containsExactly(channels(RED), within(8.0));
     assertThat(channels(frame.rgb(75, 25))).containsExactly(channels(GREEN), within(8.0));
     assertThat(channels(frame.rgb(25, 75))).containsExactly(channels(BLUE), within(8.0));

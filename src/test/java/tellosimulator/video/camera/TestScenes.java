@@ -28,13 +28,13 @@ final class TestScenes {
 
   private TestScenes() {}
 
-  /** A parallelogram and how often its texture repeats. */
+  /** A parallelogram, and the number of repetitions of its texture. */
   record Quad(Vec3 corner, Vec3 right, Vec3 up, double across, double down) {
     Quad(Vec3 corner, Vec3 right, Vec3 up) {
       this(corner, right, up, 1, 1);
     }
 
-    /** Upright at a distance ahead, facing a camera at the origin that looks along x. */
+    /** An upright square at a distance ahead, facing a camera at the origin that looks along x. */
     static Quad ahead(double distance, Vec3 middle, double size) {
       return new Quad(
           new Vec3(distance, middle.y() + size / 2, middle.z() - size / 2),
@@ -43,7 +43,7 @@ final class TestScenes {
     }
   }
 
-  /** Front faces are where right is to the right and up is up. */
+  /** Creates a mesh whose front faces are seen with right to the right and up at the top. */
   static Mesh mesh(Quad... quads) {
     float[] points = new float[12 * quads.length];
     float[] normals = new float[3 * quads.length];
@@ -84,7 +84,7 @@ final class TestScenes {
     return new Texture(size, size, argb);
   }
 
-  /** Noise, the same in each run. */
+  /** A noise texture, the same in each run. */
   static Texture noise(int size, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     int[] argb = new int[size * size];

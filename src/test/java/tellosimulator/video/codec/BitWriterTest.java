@@ -11,7 +11,7 @@ class BitWriterTest {
 
   private final BitWriter bits = new BitWriter();
 
-  /** Documented: H.264, table 9-2, and 9-3 for numbers with a sign. */
+  /** Documented: H.264, table 9-2, and 9-3 for signed numbers. */
   @ParameterizedTest
   @CsvSource({
     "0, 1, 0, 1",
@@ -58,7 +58,7 @@ class BitWriterTest {
     assertThat(written()).isEqualTo("101");
   }
 
-  /** All bits but the one at the end and the zeros behind it. */
+  /** Returns all bits except the final one and the zeros after it. */
   private String written() {
     bits.reserve(8);
     bits.putTrailingBits();

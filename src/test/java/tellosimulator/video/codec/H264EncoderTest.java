@@ -138,7 +138,7 @@ class H264EncoderTest {
     }
   }
 
-  /** Offsets of byte sequences that a decoder would take for a start code. */
+  /** Returns offsets of byte sequences that a decoder would interpret as a start code. */
   private static List<Integer> startCodes(AccessUnit accessUnit) {
     byte[] bytes = accessUnit.bytes();
     List<Integer> starts = new ArrayList<>();
@@ -206,7 +206,7 @@ class H264EncoderTest {
     encodeAll(encoder, pictures);
     long taken = thread.getCurrentThreadAllocatedBytes() - before;
 
-    // 96 bytes of it are what StrictMath.pow makes, once a frame, in the rate control
+    // 96 of these bytes are allocated by StrictMath.pow, once a frame, in the rate control
     assertThat(taken / pictures.size()).as("bytes a frame").isLessThan(160);
   }
 

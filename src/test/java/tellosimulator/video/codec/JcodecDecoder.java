@@ -17,12 +17,12 @@ import org.jcodec.common.model.ColorSpace;
 import org.jcodec.common.model.Rect;
 
 /**
- * JCodec's decoder, which knows nothing of our encoder. Assembled from its parts, because as a
- * whole it applies the deblocking filter even where a slice disables it.
+ * JCodec's decoder, which is independent of this project's encoder. Assembled from its parts,
+ * because as a whole it applies the deblocking filter even if a slice disables it.
  */
 final class JcodecDecoder {
 
-  /** JCodec's samples are 128 less. */
+  /** JCodec's samples are lower by 128. */
   private static final int OFFSET = 128;
 
   private final FrameReader reader = new FrameReader();
@@ -82,8 +82,8 @@ final class JcodecDecoder {
   }
 
   /**
-   * In how many samples the last frame differs from a reconstruction, chroma and cropped samples
-   * included.
+   * Returns the number of samples in which the last frame differs from a reconstruction, including
+   * chroma and cropped samples.
    */
   long differences(tellosimulator.video.codec.Frame frame) {
     return differences(frame.luma, decoded.getPlaneData(0))

@@ -68,7 +68,10 @@ class QuantizerTest {
     }
   }
 
-  /** Blocks of which the first quantise to zero, and the later ones to ever more levels. */
+  /**
+   * Returns blocks of which the first quantise to zero, and the later ones to increasingly many
+   * levels.
+   */
   private static long[] transformed(int qp) {
     Random random = new Random(qp);
     double stepSize = Math.pow(2, qp / 6.0);

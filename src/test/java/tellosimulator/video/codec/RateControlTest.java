@@ -10,16 +10,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Frames are only their complexities here: bits at QP 0, which six more QP halve. */
+/**
+ * Tests with simulated frames, each given only by its complexity: the number of bits at QP 0, which
+ * halves for every six QP.
+ */
 class RateControlTest {
 
   private static final int ROWS = 45;
   private static final int MACROBLOCKS = 60 * ROWS;
 
-  /** At QP 0 [bit]. Calculated: 50 kB at QP 30 is 400,000 bits times 2^5. */
+  /** Bits at QP 0. Calculated: 50 kB at QP 30 is 400,000 bits times 2^5. */
   private static final double IDR_COMPLEXITY = 12.8e6;
 
-  /** At QP 0 [bit]: slow flight. Calculated: 8 kB at QP 30. */
+  /** Bits at QP 0 in slow flight. Calculated: 8 kB at QP 30. */
   private static final double P_COMPLEXITY = 2.05e6;
 
   private final RateControl rate = new RateControl(MACROBLOCKS, ROWS);
@@ -118,7 +121,7 @@ class RateControlTest {
         .isLessThan((int) (2.5e6 / 30 * 5));
   }
 
-  /** Seconds of slow flight, each a GOP; their bits. */
+  /** Simulates seconds of slow flight, each a GOP, and returns their bits. */
   private double slowFlight(int seconds, int framesPerSecond) {
     double bits = 0;
     for (int i = 0; i < seconds * framesPerSecond; i++) {

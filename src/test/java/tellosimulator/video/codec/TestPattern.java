@@ -5,15 +5,15 @@ import java.util.Random;
 import tellosimulator.video.picture.Picture;
 
 /**
- * A test pattern that makes encoders work: a texture with coarse and fine detail that repeats in
- * all directions. The same seed gives the same pattern.
+ * A demanding test pattern for encoders: a texture with coarse and fine detail that repeats in all
+ * directions. The same seed results in the same pattern.
  */
 final class TestPattern {
 
-  /** Pixels after which the texture repeats itself; a power of 2. */
+  /** Period of the texture [pixels]; a power of 2. */
   private static final int PERIOD = 1024;
 
-  /** Pixels between two points of the coarse detail. */
+  /** Distance between two points of the coarse detail [pixels]. */
   private static final int COARSE = 16;
 
   private final int[] texture = new int[PERIOD * PERIOD];
@@ -44,14 +44,14 @@ final class TestPattern {
     return from + (to - from) * part / COARSE;
   }
 
-  /** A picture all of one brightness, without colour. */
+  /** Fills a picture with one luma, without colour. */
   static void flat(Picture picture, int brightness) {
     Arrays.fill(picture.y(), (byte) brightness);
     Arrays.fill(picture.u(), (byte) 128);
     Arrays.fill(picture.v(), (byte) 128);
   }
 
-  /** Every sample anything, and nothing as in the picture before. */
+  /** Fills a picture with random samples, unrelated to the previous picture. */
   void noise(Picture picture) {
     random.nextBytes(picture.y());
     random.nextBytes(picture.u());
@@ -59,10 +59,10 @@ final class TestPattern {
   }
 
   /**
-   * A part of the texture.
+   * Fills a picture with a part of the texture.
    *
-   * @param left where the picture begins, in quarters of a pixel
-   * @param top where the picture begins, in quarters of a pixel
+   * @param left edge of the part in quarters of a pixel
+   * @param top edge of the part in quarters of a pixel
    */
   void textured(Picture picture, int left, int top) {
     plane(picture.y(), picture.width(), left, top);
@@ -76,7 +76,7 @@ final class TestPattern {
     }
   }
 
-  /** Between the points of the texture. */
+  /** Interpolates between the points of the texture. */
   private int sample(int x, int y) {
     int column = (x >> 2) & (PERIOD - 1);
     int row = (y >> 2) & (PERIOD - 1);

@@ -3,7 +3,7 @@ package tellosimulator.video.codec;
 import java.util.Arrays;
 import tellosimulator.video.picture.Picture;
 
-/** Sequences of frames for encoder tests, by what happens in them. */
+/** Sequences of frames for encoder tests, named after their content. */
 enum TestSequence {
   STILL {
     @Override
@@ -23,7 +23,7 @@ enum TestSequence {
       pattern.textured(picture, -70 * number, 37 * number);
     }
   },
-  /** So far that hardly anything of one frame is in the next. */
+  /** Motion so large that consecutive frames have hardly anything in common. */
   EXTREME {
     @Override
     void fill(TestPattern pattern, Picture picture, int number) {
@@ -42,7 +42,7 @@ enum TestSequence {
       TestPattern.flat(picture, 30 + 7 * number);
     }
   },
-  /** All samples at their limits, far beyond what cameras give. */
+  /** All samples at their limits, far beyond those of cameras. */
   BLACK_AND_WHITE {
     @Override
     void fill(TestPattern pattern, Picture picture, int number) {

@@ -36,7 +36,7 @@ import tellosimulator.view.testing.WindowFixture;
 
 /**
  * The program with its window, in which scenarios are opened and saved: one drone that is off, at a
- * free port of 127.0.0.1, and settings that nobody has changed.
+ * free port of 127.0.0.1, and default settings.
  */
 final class AppFixture implements BeforeEachCallback, AfterEachCallback {
 
@@ -54,7 +54,7 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
   private Stage stage;
 
   /**
-   * @param stageMaker makes the window's stage, on the JavaFX thread
+   * @param stageMaker creates the window's stage, on the JavaFX thread
    */
   AppFixture(Supplier<Stage> stageMaker) {
     this.stageMaker = stageMaker;
@@ -67,19 +67,19 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
     begin();
   }
 
-  /** The same as the program does without options: at the first start the gallery is shown. */
+  /** Starts as the program does without options: with the gallery at the first start. */
   AppFixture beginningWithGallery() {
     galleryFirst = true;
     return this;
   }
 
-  /** Folds away what is folded away when the program starts for the first time. */
+  /** Folds the parts that are folded at the first start of the program. */
   AppFixture asAtFirst() {
     asAtFirst = true;
     return this;
   }
 
-  /** Starts the program once more, after its window was closed. */
+  /** Starts the program again, after its window was closed. */
   void startAgain() {
     app.close();
     begin();
@@ -134,22 +134,22 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
     return browser.test(file);
   }
 
-  /** What the window is switched to. */
+  /** Returns the window's state. */
   WindowState state() {
     return state;
   }
 
-  /** The reports that were opened, the first one first. */
+  /** Returns the reports that were opened, in order. */
   List<Path> openedReports() {
     return openedReports;
   }
 
-  /** From now on no report can be opened. */
+  /** Makes opening reports impossible from now on. */
   void removeBrowser() {
     browser = file -> false;
   }
 
-  /** From now on opening a report fails in a way that nobody expects. */
+  /** Makes opening a report fail with an unexpected exception from now on. */
   void breakBrowser() {
     browser =
         file -> {
@@ -157,12 +157,12 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
         };
   }
 
-  /** What is remembered; it is there once something was changed. */
+  /** Returns the file of the settings; it exists once something was changed. */
   Path settings() {
     return settingsFile;
   }
 
-  /** The folder in which flights are recorded; it is there once one was. */
+  /** Returns the folder for recorded flights; it exists once there is one. */
   Path recordings() {
     return settingsFile.resolveSibling("recordings");
   }
@@ -179,12 +179,11 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
     return robot;
   }
 
-  /** The text of a label. */
   String label(String id) {
     return robot.lookup("#" + id).queryAs(Label.class).getText();
   }
 
-  /** What the window's log shows. */
+  /** Returns the text of the window's log. */
   String log() {
     return stage.getScene().lookup("#log-list").lookupAll(".log-words").stream()
         .map(words -> ((Labeled) words).getText())
@@ -192,7 +191,7 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
         .toString();
   }
 
-  /** Does something on the JavaFX thread, and waits until the window has taken it. */
+  /** Runs an action on the JavaFX thread, and waits until the window has handled it. */
   static void change(Runnable work) {
     onFxThread(
         () -> {

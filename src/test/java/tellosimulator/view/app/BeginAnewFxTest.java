@@ -18,7 +18,7 @@ import org.testfx.api.FxRobot;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.StartSettings;
 
-/** What a flight begins with, when it begins anew. */
+/** The settings of a new run. */
 class BeginAnewFxTest {
 
   private static final StartSettings OTHER =

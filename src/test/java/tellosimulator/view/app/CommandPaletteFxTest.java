@@ -21,7 +21,7 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.view.layout.Theme;
 import tellosimulator.view.testing.QuickRobot;
 
-/** What one types into the palette of commands is done. */
+/** Commands typed into the command palette are run. */
 class CommandPaletteFxTest {
 
   private final FxRobot robot = new QuickRobot();
@@ -123,7 +123,7 @@ class CommandPaletteFxTest {
   void theMenuHasTheSameCommands() {
     assertThat(fire("group-wind", "Wind of 3 m/s")).isTrue();
     assertThat(window.snapshot().arena().wind().mean()).isEqualTo(new Vec3(3, 0, 0));
-    assertThat(fire("group-time", "Let time stand still, or go on (F9)")).isTrue();
+    assertThat(fire("group-time", "Pause or resume simulated time (F9)")).isTrue();
     assertThat(window.snapshot().clock().paused()).isTrue();
 
     window.change(() -> window.context().language().localeProperty().set(Locale.GERMAN));

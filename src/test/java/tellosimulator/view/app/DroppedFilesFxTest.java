@@ -24,7 +24,7 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.recording.RecordingFixture;
 
-/** Files that are dragged onto the window, as from a file manager. */
+/** Files dragged onto the window, as from a file manager. */
 class DroppedFilesFxTest {
 
   @RegisterExtension private final AppFixture window = new AppFixture(Stage::new);
@@ -68,7 +68,7 @@ class DroppedFilesFxTest {
     return Files.writeString(folder.resolve(name), "room: {width: 400}\n");
   }
 
-  /** Moves files over the scene and, where they are taken, lets them go there. */
+  /** Drags files over the scene and drops them if they are accepted. */
   private boolean drop(Path... files) {
     Dragboard dragboard = mock(Dragboard.class);
     when(dragboard.getTransferModes()).thenReturn(EnumSet.of(TransferMode.COPY));
@@ -85,7 +85,7 @@ class DroppedFilesFxTest {
         });
   }
 
-  /** As the toolkit tells a node of what a hand drags. */
+  /** Fires a drag event at a node, as the toolkit does. */
   private static DragEvent fire(Node over, EventType<DragEvent> type, Dragboard dragboard) {
     DragEvent event =
         new DragEvent(type, dragboard, 0, 0, 0, 0, TransferMode.COPY, null, over, null);

@@ -8,7 +8,7 @@ import javafx.stage.StageStyle;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
-/** The first start, at which nothing is remembered, and the second one. */
+/** The first start, without any settings, and the second one. */
 class FirstStartFxTest {
 
   @RegisterExtension

@@ -81,7 +81,7 @@ class GalleryFxTest {
   }
 
   /**
-   * On the smallest screens there is room for all scenarios, and none is left below them. A frame
+   * All scenarios fit on the smallest screens, without an empty strip below them. A window's frame
    * takes up to 28 pixels of the height.
    */
   @Test

@@ -6,6 +6,7 @@ import static tellosimulator.view.testing.WindowFixture.waitQuietlyUntil;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import javafx.event.Event;
@@ -16,6 +17,7 @@ import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.stage.Popup;
+import javafx.stage.Window;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -24,14 +26,15 @@ import tellosimulator.scenery.drone.StatusLight;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.view.layout.WindowState.Flag;
 import tellosimulator.view.model.FxDroneModel;
 
-/** The window while nothing moves, and what wakes it. */
+/** The window while nothing moves, and the events that wake it. */
 class IdleWindowFxTest {
 
   private static final long CALM_SECONDS = 2;
 
-  /** What is drawn seldom while the window is idle is drawn at least this often. */
+  /** The longest period of drawings in an idle window. */
   private static final double LONGEST_PERIOD_SECONDS = 2;
 
   @TempDir private Path folder;
@@ -41,7 +44,7 @@ class IdleWindowFxTest {
   @BeforeEach
   void open() {
     window = WholeWindow.open(SimConfig.DEFAULT, folder.resolve("settings"));
-    window.change(() -> window.context().pulse().onBeat(lastNanos::set));
+    window.change(() -> window.context().ticker().onTick(lastNanos::set));
     waitUntil(() -> lastNanos.get() != 0);
   }
 
@@ -140,26 +143,34 @@ class IdleWindowFxTest {
     assertThat(idle()).isTrue();
   }
 
-  /** A clock in a panel that is not shown would have the whole window drawn anew. */
+  /** A clock in a hidden panel would cause the whole window to be redrawn. */
   @Test
   void idleItDrawsNothing() {
-    window.change(() -> window.state().networkControlsShownProperty().set(false));
+    window.change(() -> window.state().flag(Flag.NETWORK_CONTROLS).set(false));
     AtomicInteger frames = new AtomicInteger();
     window.change(
         () -> window.stage().getScene().addPostLayoutPulseListener(frames::incrementAndGet));
     waitUntil(() -> frames.get() > 0);
+    window.change(() -> window.stage().getScene().getRoot().requestFocus()); // no caret blinks
     becomeIdle();
-    passSimulated(LONGEST_PERIOD_SECONDS); // what changed last is drawn
+    passSimulated(LONGEST_PERIOD_SECONDS); // the last change is drawn
 
     int spans = 0;
-    do { // a tooltip below the mouse has frames drawn for up to six seconds
+    double lost;
+    do { // a tooltip below the mouse causes frames for up to six seconds
+      lost = newest().clock().lostSeconds();
       frames.set(0);
       passSimulated(2 * LONGEST_PERIOD_SECONDS);
-      spans++;
+      spans += newest().clock().lostSeconds() == lost ? 1 : 0; // losing time is shown
     } while (frames.get() > 0 && spans < 4);
 
     assertThat(idle()).isTrue();
-    assertThat(frames).hasValue(0);
+    assertThat(frames)
+        .as(
+            "windows %s, focus on %s",
+            onFxThread(() -> List.copyOf(Window.getWindows())),
+            onFxThread(() -> window.stage().getScene().getFocusOwner()))
+        .hasValue(0);
   }
 
   @Test
@@ -168,7 +179,7 @@ class IdleWindowFxTest {
     StatusLight first = lamp();
     waitUntil(
         () -> {
-          window.context().pulse().wake();
+          window.context().ticker().wake();
           return lamp() != first; // it blinks
         });
 
@@ -190,14 +201,14 @@ class IdleWindowFxTest {
     StatusLight paused = lamp();
 
     for (int i = 0; i < 20; i++) {
-      window.change(() -> window.context().pulse().wake());
+      window.change(() -> window.context().ticker().wake());
       window.passFrames(2); // it blinks five times a second
 
       assertThat(lamp()).isSameAs(paused);
     }
   }
 
-  /** The newest snapshot that the window has taken over. */
+  /** Returns the latest snapshot that the window has mirrored. */
   private SimSnapshot newest() {
     return window.context().simulation().snapshot();
   }
@@ -207,7 +218,7 @@ class IdleWindowFxTest {
     waitQuietlyUntil(() -> window.simulation().snapshot().time().seconds() >= until);
   }
 
-  /** What the window shows of the drone's lamp. */
+  /** Returns the drone's lamp as the window shows it. */
   private StatusLight lamp() {
     return onFxThread(() -> StatusLight.seen(window.context().simulation().selected().pictured()));
   }
@@ -241,18 +252,18 @@ class IdleWindowFxTest {
   }
 
   private boolean idle() {
-    return window.context().pulse().idle();
+    return window.context().ticker().idle();
   }
 
   private void becomeIdle() {
     waitUntil(this::becomesIdle);
   }
 
-  /** Whether it is idle when nothing has happened for two seconds. */
+  /** Returns whether the window becomes idle after two seconds without events. */
   private boolean becomesIdle() {
     return onFxThread(
         () -> {
-          window.context().pulse().beat(lastNanos.get() + CALM_SECONDS * 1_000_000_000);
+          window.context().ticker().tick(lastNanos.get() + CALM_SECONDS * 1_000_000_000);
           return idle();
         });
   }

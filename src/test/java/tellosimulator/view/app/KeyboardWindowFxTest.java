@@ -25,7 +25,7 @@ import org.testfx.api.FxRobot;
 import tellosimulator.profile.Profile;
 import tellosimulator.view.testing.QuickRobot;
 
-/** Everything in the window can be reached, and is named for those who hear it. */
+/** All controls of the window can be reached by keyboard, and have names for screen readers. */
 class KeyboardWindowFxTest {
 
   private final FxRobot robot = new QuickRobot();
@@ -100,7 +100,7 @@ class KeyboardWindowFxTest {
     return onFxThread(() -> window.stage().getScene().getFocusOwner());
   }
 
-  /** What one can use now, outside of lists. */
+  /** Returns the controls that are enabled now, outside of lists. */
   private List<Node> controls() {
     return onFxThread(
         () -> {
@@ -129,7 +129,7 @@ class KeyboardWindowFxTest {
     return node instanceof ButtonBase && !isAside(node);
   }
 
-  /** Whether arrow keys go to it from the chosen one of its group. */
+  /** Returns whether arrow keys reach the node from the selected one of its group. */
   private static boolean isAside(Node node) {
     return node instanceof ToggleButton button
         && button.getToggleGroup() != null

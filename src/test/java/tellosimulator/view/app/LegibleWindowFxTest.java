@@ -34,22 +34,22 @@ import tellosimulator.view.layout.Theme;
 import tellosimulator.view.testing.QuickRobot;
 
 /**
- * Each text of the window can be read, in both themes: it is large enough, and its colour has
- * contrast against what is behind it, which is taken from a picture of the window. And one sees
- * which control has the focus, and over which the mouse is.
+ * All texts of the window are legible in both themes: they are large enough, and their colour
+ * contrasts with the background, which is taken from a picture of the window. The control with the
+ * focus and the one under the mouse are highlighted.
  */
 class LegibleWindowFxTest {
 
-  /** Smallest font [px]. Decided. */
+  /** Minimum font size [px]. Decided. */
   private static final double SMALLEST = 12;
 
   /** Documented: WCAG 2.1, 1.4.3, for text that is not large. */
   private static final double LEAST_CONTRAST = 4.5;
 
-  /** Documented: WCAG 2.1, 1.4.11, for what shows the focus. */
+  /** Documented: WCAG 2.1, 1.4.11, for focus indicators. */
   private static final double LEAST_CONTRAST_OF_RINGS = 3;
 
-  /** By this contrast a result may be wrong, because pictures have whole steps of colour. */
+  /** Error of the contrast that results from the whole colour values of pictures. */
   private static final double ROUNDING = 0.05;
 
   private final FxRobot robot = new QuickRobot();
@@ -136,7 +136,7 @@ class LegibleWindowFxTest {
     return onFxThread(() -> ((Region) window.find(id)).getBorder());
   }
 
-  /** What cannot be read in a part, with the reason. */
+  /** Returns the illegible texts of a part, with the reasons. */
   private List<String> illegible(String part) {
     window.passFrames(5);
     WritableImage picture = window.picture();
@@ -195,7 +195,7 @@ class LegibleWindowFxTest {
     return opacity;
   }
 
-  /** Whether nothing cuts it off. */
+  /** Returns whether the node is not clipped. */
   private static boolean inSight(Node node, Bounds place, WritableImage picture) {
     boolean inSight =
         place.getMinX() >= 0
@@ -210,7 +210,7 @@ class LegibleWindowFxTest {
     return inSight;
   }
 
-  /** What is behind a text covers more than the text. */
+  /** Returns the most frequent colour: the background covers more pixels than the text. */
   private static Color mostFrequent(PixelReader pixels, Bounds place) {
     Map<Integer, Integer> counts = new HashMap<>();
     for (int y = (int) place.getMinY(); y < place.getMaxY(); y++) {

@@ -27,10 +27,13 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
 
-/** The course of a lesson, made with the mouse: goals and drones, and the file it is saved to. */
+/**
+ * The course of a lesson, planned with the mouse: goals and drones, and the file to which it is
+ * saved.
+ */
 class PlannedCourseFxTest {
 
-  /** A room of 6 by 6 m, so that a metre of it is as wide on the screen as it is long. */
+  /** A room of 6 by 6 m, so that a metre has the same length on the screen in both directions. */
   private static final String COURSE =
       """
       # the course of the third lesson
@@ -182,9 +185,7 @@ class PlannedCourseFxTest {
     return window.label("plan-status");
   }
 
-  /**
-   * The tasks that the panel of goals shows, behind the drone that shall do them if one is named.
-   */
+  /** Returns the tasks of the goal panel, each after its drone if there is one. */
   private List<String> goals() {
     return onFxThread(
         () ->
@@ -200,7 +201,10 @@ class PlannedCourseFxTest {
                 .toList());
   }
 
-  /** Where a place of the floor is on the screen, by its coordinates in cm: the room is square. */
+  /**
+   * Returns the position of a place on the floor on the screen, by its coordinates in cm: the room
+   * is square.
+   */
   private Point2D at(double x, double y) {
     return onFxThread(
         () -> {

@@ -22,9 +22,10 @@ import tellosimulator.math.Pose;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.view.layout.WindowState.Flag;
 import tellosimulator.view.testing.QuickRobot;
 
-/** The view for a class, and what makes the window ready for the next group. */
+/** The view for a class, and the command that prepares the window for the next group. */
 class ProjectorViewFxTest {
 
   private final FxRobot robot = new QuickRobot();
@@ -62,7 +63,7 @@ class ProjectorViewFxTest {
     project();
     project();
     assertThat(window.shows("projector")).isFalse();
-    assertThat(window.state().fullScreenProperty().get()).as("as before").isFalse();
+    assertThat(window.state().flag(Flag.FULL_SCREEN).get()).as("as before").isFalse();
   }
 
   @Test
@@ -85,7 +86,9 @@ class ProjectorViewFxTest {
     assertThat(window.text("last-command-reason")).contains("9999");
   }
 
-  /** The camera is fitted beside the boxes, and would move with each word. */
+  /**
+   * The camera is fitted to the space beside the boxes, and would otherwise move with each word.
+   */
   @Test
   void theBoxOfTheLastCommandDoesNotShrink() {
     window.switchOn();
@@ -155,7 +158,7 @@ class ProjectorViewFxTest {
     waitUntil(() -> chip(1).contains("falling") || chip(1).contains("crashed"));
   }
 
-  /** What is written on the chip of a drone. */
+  /** Returns the text on the chip of a drone. */
   private String chip(int drone) {
     return onFxThread(
         () ->

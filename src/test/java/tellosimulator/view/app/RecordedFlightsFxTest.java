@@ -29,7 +29,7 @@ import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.recording.RecordingFiles;
 import tellosimulator.testing.CapturedLog;
 
-/** The window records flights, until somebody switches that off. */
+/** The window records flights until the user disables recording. */
 @Timeout(value = 180, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RecordedFlightsFxTest {
 
@@ -69,7 +69,7 @@ class RecordedFlightsFxTest {
     await(() -> recorded("wire.jsonl"));
     assertThat(report.isDisabled()).as("the flight is not over").isTrue();
 
-    change(() -> item().setSelected(false)); // which ends it
+    change(() -> item().setSelected(false)); // which ends the recording
     await(() -> !report.isDisabled());
     window.robot().clickOn(report);
     await(() -> window.openedReports().size() == 1 && !report.isDisabled());
@@ -90,7 +90,8 @@ class RecordedFlightsFxTest {
     window.breakBrowser();
     try (CapturedLog log = CapturedLog.of(ErrorPolicy.class)) {
       window.robot().clickOn(report);
-      await(() -> window.log().contains("failed because of a fault of the simulator"));
+      await(
+          () -> window.log().contains("could not be created because of an error in the simulator"));
       await(() -> !report.isDisabled());
       assertThat(log.next()).startsWith("The report of a flight failed; please report this");
     }
@@ -99,14 +100,14 @@ class RecordedFlightsFxTest {
   @Test
   void withoutRecordingsThereIsNoReport() throws Exception {
     HBox frame = (HBox) window.robot().lookup("#log-report").query().getParent();
-    assertThat(tooltip(frame)).isEqualTo("Here is the report of a flight as soon as one is over.");
+    assertThat(tooltip(frame)).isEqualTo("The report appears here as soon as a flight is over.");
 
     change(() -> item().setSelected(false));
 
     await(() -> tooltip(frame).startsWith("There is no report, because flights are not recorded"));
   }
 
-  /** What the toolkit keeps for a node that is no control. */
+  /** Returns the tooltip that the toolkit stores for a node that is not a control. */
   private static String tooltip(Node node) {
     return ((Tooltip) node.getProperties().get("javafx.scene.control.Tooltip")).getText();
   }

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 import org.testfx.api.FxRobot;
 import tellosimulator.view.testing.NeedsDisplay;
 
-/** Scenarios that are opened in a window which its manager has made as large as the screen. */
+/** Scenarios opened in a window that its manager has maximised. */
 @NeedsDisplay
 class ScenarioWindowDisplayTest {
 
@@ -63,7 +63,7 @@ class ScenarioWindowDisplayTest {
     robot.clickOn("#show-network");
 
     waitUntil(() -> !find("network-controls").isVisible());
-    // by mouse on the title bar, another scene would now be in a corner of a black window
+    // if the user maximises the window, another scene would be in a corner of a black window
     assertThat(onFxThread(stage::getScene)).isSameAs(scene);
   }
 
@@ -99,7 +99,7 @@ class ScenarioWindowDisplayTest {
     return new Dimension2D(scene.getWidth(), scene.getHeight());
   }
 
-  /** What the screen shows just inside a corner of the window; 0 is left or top. */
+  /** Returns the colour on the screen just inside a corner of the window; 0 is left or top. */
   private Color corner(int across, int down) {
     Scene scene = stage.getScene();
     double left = stage.getX() + scene.getX();

@@ -37,7 +37,7 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenario.ScenarioFile;
 
-/** Scenarios that are opened, saved and read again in the window. */
+/** Scenarios opened, saved and reloaded in the window. */
 class ScenarioWindowFxTest {
 
   private static final String SLALOM =
@@ -256,6 +256,24 @@ class ScenarioWindowFxTest {
   }
 
   @Test
+  void anotherCourseIsDrawnFromTheNextSeed() throws Exception {
+    assertThat(robot.lookup("#goal-course").query().isVisible()).as("no ranges").isFalse();
+    Files.writeString(file, SLALOM.replace("at: [100, 0]", "at: [100, -90..90]") + "seed: 41\n");
+    change(() -> app.open(file));
+    assertThat(window.label("goal-rules")).endsWith("This course: seed 41.");
+
+    change(() -> robot.lookup("#goal-course").queryButton().fire());
+
+    waitUntil(() -> window.label("goal-rules").endsWith("This course: seed 42."));
+    assertThat(stage.getTitle()).as("unchanged").isEqualTo("slalom.yaml – Tello Simulator");
+    Path copy = folder.resolve("course.yaml");
+    change(() -> app.save(copy));
+    assertThat(copy).as("keeps the range").hasSameTextualContentAs(file);
+    robot.push(KeyCode.CONTROL, KeyCode.K).write("seed").type(KeyCode.ENTER);
+    waitUntil(() -> window.label("goal-rules").endsWith("This course: seed 43."));
+  }
+
+  @Test
   void whatWasMovedIsSavedWithTheGoals() throws ScenarioException {
     change(() -> app.open(file));
     robot.type(KeyCode.F10).clickOn("#plan-add-box");
@@ -368,7 +386,10 @@ class ScenarioWindowFxTest {
     return robot.lookup("#goal-details").query().isVisible();
   }
 
-  /** The first drone is on, and touches the pole if it moves forward by 100 cm. */
+  /**
+   * Opens a scenario in which the first drone is on, and touches the pole if it moves forward by
+   * 100 cm.
+   */
   private void openWithObstacleAhead() throws IOException {
     Files.writeString(
         file,
@@ -399,7 +420,7 @@ class ScenarioWindowFxTest {
     robot.type(KeyCode.DELETE);
 
     assertThat(window.label("plan-status"))
-        .isEqualTo("A goal names this: take the goal away first.");
+        .isEqualTo("A goal refers to this: remove the goal first.");
     change(() -> app.save(file));
     assertThat(ScenarioFile.read(file).challenge().goals()).hasSize(1);
 
@@ -415,10 +436,10 @@ class ScenarioWindowFxTest {
         .count();
   }
 
-  /** Sends the first drone commands, one after the other, and returns the last reply. */
+  /** Sends commands to the first drone, one after another, and returns the last reply. */
   private String fly(String... commands) throws IOException {
     Pattern listening = Pattern.compile("drone 1 at 127.0.0.1:([1-9]\\d*)");
-    waitUntil(() -> listening.matcher(app.ready()).find()); // the switch works beside the window
+    waitUntil(() -> listening.matcher(app.ready()).find()); // the switch acts asynchronously
     Matcher port = listening.matcher(app.ready());
     assertThat(port.find()).isTrue();
     InetSocketAddress drone =

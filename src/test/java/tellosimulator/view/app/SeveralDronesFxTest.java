@@ -12,7 +12,7 @@ import org.testfx.api.FxRobot;
 import tellosimulator.view.testing.QuickRobot;
 import tellosimulator.view.world.Simulator3DScene;
 
-/** What the window has for several drones. */
+/** The parts of the window for several drones. */
 class SeveralDronesFxTest {
 
   private final FxRobot robot = new QuickRobot();

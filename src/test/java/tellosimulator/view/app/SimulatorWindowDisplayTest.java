@@ -30,10 +30,10 @@ import tellosimulator.view.testing.QuickRobot;
 @NeedsDisplay
 class SimulatorWindowDisplayTest {
 
-  /** Of a panel, above and below its content [px]. */
+  /** The borders of a panel above and below its content [px]. */
   private static final double BORDERS = 2;
 
-  /** Half the size of the square in the middle of the scene in which the drone must be [px]. */
+  /** Half the size of the square in the centre of the scene in which the drone must be [px]. */
   private static final int HALF = 60;
 
   private final FxRobot robot = new QuickRobot();
@@ -65,7 +65,7 @@ class SimulatorWindowDisplayTest {
                 && bounds("scene-3d").getWidth() == screen.getWidth()
                 && bounds("scene-3d").getHeight() == screen.getHeight());
     for (String part : new String[] {"simulator-controls", "network-controls", "log"}) {
-      waitUntil( // they are laid out a frame or more after the scene
+      waitUntil( // the panels are laid out a frame or more after the scene
           () -> bounds("scene-3d").contains(bounds(part)) && bounds(part).getHeight() > 100);
     }
     ScrollPane controls = robot.lookup("#network-controls").queryAs(ScrollPane.class);
@@ -74,7 +74,7 @@ class SimulatorWindowDisplayTest {
             bounds("network-controls").getHeight()
                     <= controls.getContent().getLayoutBounds().getHeight() + BORDERS
                 && bounds("network-controls").getMaxY() <= bounds("log").getMinY());
-    waitUntil( // moves aside for what lies over the scene
+    waitUntil( // makes space for what lies over the scene
         () ->
             bounds("inset").getMaxX() <= bounds("network-controls").getMinX()
                 && bounds("inset").getMinY() >= bounds("window-bar").getMaxY());
@@ -108,7 +108,7 @@ class SimulatorWindowDisplayTest {
     window.carryOut(new Control.SetTimeFactor(new TimeFactor(5)));
     WritableImage before = window.picture();
 
-    // of all lines only these, or on a slow machine the one would soon be out of sight
+    // only these lines, because on a slow machine the expected one would soon be out of sight
     window.change(() -> window.find("log-search", TextField.class).setText("takeoff"));
 
     robot.clickOn("#demo-flight");
@@ -131,7 +131,7 @@ class SimulatorWindowDisplayTest {
     return onFxThread(() -> window.find(id).localToScene(window.find(id).getLayoutBounds()));
   }
 
-  /** How many pixels around a place are as dark as only a drone is. */
+  /** Returns the number of pixels around a place that are as dark as only a drone is. */
   private static long darkPixels(PixelReader pixels, int middleX, int middleY) {
     long dark = 0;
     for (int x = middleX - HALF; x < middleX + HALF; x++) {

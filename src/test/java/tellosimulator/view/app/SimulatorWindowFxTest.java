@@ -31,7 +31,7 @@ import tellosimulator.view.layout.Theme;
 import tellosimulator.view.testing.QuickRobot;
 import tellosimulator.view.world.ViewCamera;
 
-/** The window as a whole: what its buttons and keys do to its parts, and what it remembers. */
+/** The window as a whole: the effects of its buttons and keys, and its settings. */
 class SimulatorWindowFxTest {
 
   private final FxRobot robot = new QuickRobot();
@@ -305,7 +305,7 @@ class SimulatorWindowFxTest {
   @Test
   void closingWhileFlyingEndsTheOperatorsSocketAndTheBeat() {
     AtomicInteger beats = new AtomicInteger();
-    window.change(() -> window.context().pulse().onBeat(nanos -> beats.incrementAndGet()));
+    window.change(() -> window.context().ticker().onTick(nanos -> beats.incrementAndGet()));
     window.carryOut(new Control.SetTimeFactor(new TimeFactor(5)));
     robot.clickOn("#demo-flight");
     waitUntil(() -> window.context().simulation().selected().phaseProperty().get().flying());
@@ -316,8 +316,10 @@ class SimulatorWindowFxTest {
                     .context()
                     .simulation()
                     .selected()
-                    .operatorProperty()
+                    .snapshotProperty()
                     .get()
+                    .link()
+                    .operator()
                     .map(Peer::address)
                     .orElseThrow());
     assertThatThrownBy(() -> new DatagramSocket(operator).close())

@@ -28,7 +28,7 @@ import org.testfx.api.FxRobot;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.view.testing.QuickRobot;
 
-/** The window on the smallest screens: nothing is cut off, and what has no room is folded. */
+/** The window on the smallest screens: nothing is cut off, and what does not fit is folded. */
 class SmallWindowFxTest {
 
   private final FxRobot robot = new QuickRobot();
@@ -38,7 +38,7 @@ class SmallWindowFxTest {
   @BeforeEach
   void open() {
     window = WholeWindow.ofDrones(3, folder);
-    window.passFrames(80); // for more than a second it keeps the size with which it was opened
+    window.passFrames(80); // it keeps its opening size for more than a second
   }
 
   @AfterEach
@@ -122,7 +122,7 @@ class SmallWindowFxTest {
     robot.clickOn("#drones-fold");
     assertThat(window.shows("drones")).isTrue();
 
-    System.gc(); // what nobody keeps would follow no longer
+    System.gc(); // weakly referenced listeners would be gone
     window.asAtFirst();
     waitUntil(() -> shown("pilot-power") == ContentDisplay.LEFT);
     resize(980, 768);
@@ -156,7 +156,7 @@ class SmallWindowFxTest {
     waitUntil(() -> shown("settings") == ContentDisplay.LEFT);
   }
 
-  /** Whether buttons of the bar have gone into a menu at its end. */
+  /** Returns whether buttons of the bar have moved into the overflow menu. */
   private boolean overflows() {
     return onFxThread(() -> window.find("window-bar").lookup(".tool-bar-overflow-button"))
         .isVisible();
@@ -179,7 +179,7 @@ class SmallWindowFxTest {
     return window.find(id, Labeled.class).getContentDisplay();
   }
 
-  /** What is cut off, or lies outside of what shows it. */
+  /** Returns the nodes that are cut off, or lie outside their parent. */
   private List<String> problems() {
     return onFxThread(
         () -> {
@@ -219,7 +219,10 @@ class SmallWindowFxTest {
         && !text.getText().equals(labeled.getText());
   }
 
-  /** Borders may reach half a pixel over, and rings of controls more. */
+  /**
+   * Returns slightly larger bounds: borders may exceed them by half a pixel, and focus rings by
+   * more.
+   */
   private static Bounds almost(Bounds room) {
     return new BoundingBox(
         room.getMinX() - 1, room.getMinY() - 1, room.getWidth() + 2, room.getHeight() + 2);

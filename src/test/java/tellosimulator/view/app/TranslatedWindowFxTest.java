@@ -27,10 +27,10 @@ import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.view.testing.QuickRobot;
 
-/** All texts of the window change at once with its language, and none is forgotten. */
+/** All texts of the window follow its language immediately. */
 class TranslatedWindowFxTest {
 
-  /** What is the same in English and German; the last one is the toolkit's. */
+  /** The texts that are the same in English and German; the last one is the toolkit's. */
   private static final Set<String> SAME_IN_BOTH =
       Set.of(
           "Yaw °",
@@ -55,7 +55,7 @@ class TranslatedWindowFxTest {
           "RoboMaster TT: SDK 3.0",
           "Overflow button");
 
-  /** Numbers, keys and short names, which no language changes. */
+  /** Numbers, keys and short names, which are the same in all languages. */
   private static final Pattern NO_WORDS = Pattern.compile("[^a-zA-Z]*[A-Z]{0,3}[^a-zA-Z]*");
 
   @TempDir private Path folder;
@@ -109,7 +109,7 @@ class TranslatedWindowFxTest {
     assertThat(same).isEmpty();
   }
 
-  /** What is written on each thing of the window, and shown as its hint. */
+  /** Returns the text and the tooltip of each node of the window. */
   private IdentityHashMap<Object, List<String>> texts(Locale locale) {
     window.change(() -> window.context().language().localeProperty().set(locale));
     window.passFrames(3);

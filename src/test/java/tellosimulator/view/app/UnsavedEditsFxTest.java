@@ -19,7 +19,7 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
 
-/** Edits of a scenario: that they are seen, saved, and not lost without a question. */
+/** Unsaved changes of a scenario are detected, saved, and not lost without a question. */
 class UnsavedEditsFxTest {
 
   private static final String SLALOM =

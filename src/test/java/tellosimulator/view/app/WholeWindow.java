@@ -43,13 +43,14 @@ import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.layout.WindowState.Flag;
 import tellosimulator.view.log.LogQueue;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxScenario;
-import tellosimulator.view.model.ScenarioActions;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
+import tellosimulator.view.testing.ViewContexts;
 import tellosimulator.view.testing.WindowFixture;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
@@ -58,16 +59,16 @@ import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.world.Room;
 
 /**
- * The whole window as the program opens it, on a simulation whose drones listen at free ports of
- * 127.0.0.1 and send their state nowhere (unless a test says otherwise); without a frame, so that
- * it is as large as is asked for. For a test's thread.
+ * The whole window as the program opens it, with a simulation whose drones listen at free ports of
+ * 127.0.0.1 and send their state nowhere (unless a test sets it otherwise). It has no frame, so
+ * that its size is exactly as requested. Confined to the thread of a test.
  */
 final class WholeWindow implements AutoCloseable {
 
-  /** Longest wait for a reply, or for a first window on a slow machine [ms]. */
+  /** Maximum time for a reply, or for the first window on a slow machine [ms]. */
   private static final int PATIENCE_MS = 60_000;
 
-  /** Where nobody takes what is sent. */
+  /** Ports without a receiver. */
   static final StreamPorts NOWHERE = new StreamPorts(9, 9);
 
   private final LogQueue logQueue = new LogQueue();
@@ -90,7 +91,7 @@ final class WholeWindow implements AutoCloseable {
             EditedScenario.of(OpenedScenario.once(scenario)),
             goals,
             goals::ask,
-            ScenarioActions.CLOSED);
+            ViewContexts.NO_SCENARIOS);
     List<InetAddress> loopback = List.of(InetAddress.getLoopbackAddress());
     simulation =
         new OnlineSimulation(
@@ -101,27 +102,27 @@ final class WholeWindow implements AutoCloseable {
     video = WindowVideo.of(simulation, DroneOptics.DEFAULT, new MediaFolder(file.getParent()));
   }
 
-  /** Shows all parts that can be folded away: what tests look at must be there. */
+  /** Shows all parts that can be folded, because tests need them to be visible. */
   static void showAllParts(WindowState state) {
-    state.networkControlsShownProperty().set(true);
-    state.logOpenProperty().set(true);
+    state.flag(Flag.NETWORK_CONTROLS).set(true);
+    state.flag(Flag.LOG).set(true);
   }
 
-  /** Folds away what is folded away when the program starts for the first time. */
+  /** Folds the parts that are folded at the first start of the program. */
   WholeWindow asAtFirst() {
     WindowState first = new WindowState();
     change(
         () -> {
-          state.networkControlsShownProperty().set(first.networkControlsShownProperty().get());
-          state.logOpenProperty().set(first.logOpenProperty().get());
+          state.flag(Flag.NETWORK_CONTROLS).set(first.flag(Flag.NETWORK_CONTROLS).get());
+          state.flag(Flag.LOG).set(first.flag(Flag.LOG).get());
         });
     return this;
   }
 
   /**
-   * Opens it with drones in a row, in the default room, as if for the first time.
+   * Opens the window with drones in a row, in the default room, as at the first start.
    *
-   * @param folder for what is remembered
+   * @param folder the folder for the settings
    */
   static WholeWindow ofDrones(int count, Path folder) {
     return open(
@@ -130,24 +131,24 @@ final class WholeWindow implements AutoCloseable {
   }
 
   /**
-   * Opens it.
+   * Opens the window.
    *
-   * @param settings the file of what is remembered; need not be there
+   * @param settings the file of the settings; need not exist
    */
   static WholeWindow open(SimConfig config, Path settings) {
     return open(config.withStreamPorts(NOWHERE), settings, 0);
   }
 
   /**
-   * Opens it, with ports that are not free ones for a test.
+   * Opens the window with given ports instead of free ones.
    *
-   * @param firstPort the command port of the first drone; the next ones have the next ones
+   * @param firstPort the command port of the first drone; the others have the subsequent ports
    */
   static WholeWindow open(SimConfig config, Path settings, int firstPort) {
     return open(Scenario.of(config), settings, firstPort);
   }
 
-  /** Opens it with the goals of a scenario. */
+  /** Opens the window with the goals of a scenario. */
   static WholeWindow open(Scenario scenario, Path settings, int firstPort) {
     try {
       FxToolkit.registerPrimaryStage();
@@ -186,7 +187,7 @@ final class WholeWindow implements AutoCloseable {
     return simulation;
   }
 
-  /** What the simulation says when all that was done in the window has been carried out. */
+  /** Returns the snapshot once all actions of the window have been carried out. */
   SimSnapshot snapshot() {
     WindowFixture.waitUntil(() -> !context.actions().pending());
     return simulation.snapshot();
@@ -208,7 +209,7 @@ final class WholeWindow implements AutoCloseable {
     return stage;
   }
 
-  /** The node with this id; a failure if there is none. */
+  /** Returns the node with this id; fails if there is none. */
   Node find(String id) {
     Node found = onFxThread(() -> stage.getScene().lookup("#" + id));
     if (found == null) {
@@ -221,12 +222,11 @@ final class WholeWindow implements AutoCloseable {
     return type.cast(find(id));
   }
 
-  /** What is written on a node. */
   String text(String id) {
     return onFxThread(() -> find(id, Labeled.class).getText());
   }
 
-  /** Whether a part is there, itself and all in which it is. */
+  /** Returns whether a part is visible, together with all its parents. */
   boolean shows(String id) {
     return onFxThread(
         () -> {
@@ -238,7 +238,7 @@ final class WholeWindow implements AutoCloseable {
         });
   }
 
-  /** What the log's lines say that are in sight, without their times. */
+  /** Returns the visible lines of the log, without their times. */
   List<String> log() {
     return onFxThread(
         () ->
@@ -247,7 +247,7 @@ final class WholeWindow implements AutoCloseable {
                 .toList());
   }
 
-  /** Chooses something in a menu of the settings. */
+  /** Chooses an item in a menu of the settings. */
   void choose(String menu, String item) {
     change(
         () -> {
@@ -260,7 +260,7 @@ final class WholeWindow implements AutoCloseable {
     return items.stream().filter(item -> id.equals(item.getId())).findFirst().orElseThrow();
   }
 
-  /** Does something on the JavaFX thread. */
+  /** Runs an action on the JavaFX thread. */
   void change(Runnable what) {
     WaitForAsyncUtils.waitForAsyncFx(PATIENCE_MS, what);
   }
@@ -273,15 +273,18 @@ final class WholeWindow implements AutoCloseable {
     }
   }
 
-  /** Switches all drones on; a failure if a port is taken, or else foreign drones would fly. */
+  /**
+   * Switches all drones on; fails if a port is taken, because the drones of another program would
+   * fly instead.
+   */
   void switchOn() {
     for (FxDroneModel drone : context.simulation().drones()) {
       carryOut(new Control.Power(drone.number(), true));
     }
-    change(() -> context.pulse().wake());
+    change(() -> context.ticker().wake());
   }
 
-  /** Sends the first drone commands, one after the other, and returns the last reply. */
+  /** Sends commands to the first drone, one after another, and returns the last reply. */
   String fly(String... commands) {
     String reply = "";
     for (String command : commands) {
@@ -291,7 +294,7 @@ final class WholeWindow implements AutoCloseable {
     return reply;
   }
 
-  /** Sends a drone a command, and does not wait for the reply. */
+  /** Sends a command to a drone without waiting for the reply. */
   void tell(int drone, String command) {
     byte[] bytes = command.getBytes(StandardCharsets.US_ASCII);
     InetSocketAddress address = simulation.addresses(drone).get(0);
@@ -302,7 +305,7 @@ final class WholeWindow implements AutoCloseable {
     }
   }
 
-  /** The next reply of a drone. */
+  /** Returns the next reply of a drone. */
   String reply(int drone) {
     DatagramPacket packet = new DatagramPacket(new byte[2048], 2048);
     try {
@@ -323,7 +326,7 @@ final class WholeWindow implements AutoCloseable {
     return operator;
   }
 
-  /** Lets the window show some more frames. */
+  /** Waits for a number of frames. */
   void passFrames(int frames) {
     WindowFixture.passFrames(frames);
   }
@@ -332,9 +335,13 @@ final class WholeWindow implements AutoCloseable {
     return onFxThread(() -> stage.getScene().snapshot(null));
   }
 
-  /** Closes the window as a user does; the simulation stays. */
+  /** Closes the window as a user does; the simulation keeps running. */
   void closeWindow() {
-    change(stage::hide);
+    change(
+        () -> {
+          stage.getScene().getRoot().requestFocus(); // no caret blinks in a closed window
+          stage.hide();
+        });
   }
 
   @Override

@@ -37,10 +37,10 @@ import tellosimulator.view.testing.QuickRobot;
 import tellosimulator.view.video.VideoCapture;
 import tellosimulator.world.Room;
 
-/** What the window shows and keeps of the drones' video. */
+/** The window displays and saves the drones' video. */
 class WindowVideoFxTest {
 
-  /** Two drones that look at opposite walls. */
+  /** The starts of two drones that face opposite walls. */
   private static final List<Pose> STARTS =
       List.of(
           new Pose(Vec3.ZERO, Attitude.LEVEL),
@@ -201,7 +201,7 @@ class WindowVideoFxTest {
     waitUntil(() -> Files.size(kept(".mp4")) > 10_000);
   }
 
-  /** The one file with this ending. */
+  /** Returns the only file with this extension. */
   private Path kept(String ending) throws IOException {
     try (Stream<Path> files = Files.list(folder.resolve("Tello Simulator"))) {
       return files
@@ -211,7 +211,7 @@ class WindowVideoFxTest {
     }
   }
 
-  /** How many pictures the film has that was recorded. */
+  /** Returns the number of pictures in the recorded video. */
   private int pictures() throws IOException {
     try (FileChannelWrapper channel = NIOUtils.readableChannel(kept(".mp4").toFile())) {
       return MP4Demuxer.createMP4Demuxer(channel).getVideoTrack().getMeta().getTotalFrames();

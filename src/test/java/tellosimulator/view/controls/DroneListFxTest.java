@@ -22,7 +22,7 @@ import tellosimulator.view.testing.StageExtension;
 @ExtendWith(StageExtension.class)
 class DroneListFxTest {
 
-  /** As many as fit into the default room. */
+  /** The number of drones that fit into the default room. */
   private static final int DRONES = 40;
 
   private PanelWindow window;

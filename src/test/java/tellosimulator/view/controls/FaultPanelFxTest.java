@@ -84,7 +84,7 @@ class FaultPanelFxTest {
     window.until(() -> link.getValue() == LinkPreset.LAB);
   }
 
-  @SuppressWarnings("unchecked") // the only one of its name
+  @SuppressWarnings("unchecked") // the box with this id contains presets
   private static ChoiceBox<LinkPreset> link(FxRobot robot) {
     return robot.lookup("#link-preset").queryAs(ChoiceBox.class);
   }

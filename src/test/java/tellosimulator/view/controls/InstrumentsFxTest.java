@@ -53,15 +53,11 @@ class InstrumentsFxTest {
   void theHorizonSinksWhenTheNoseGoesUpAndTiltsAgainstTheRoll(FxRobot robot) {
     Node horizon = attitude.lookup(".horizon");
     Arc ground = (Arc) attitude.lookup(".ground");
-    robot.interact(() -> attitude.pitchDegProperty().set(20));
+    robot.interact(() -> attitude.show(20, 0));
     assertThat(horizon.getTranslateY()).isPositive();
     assertThat(ground.getLength()).isLessThan(180);
 
-    robot.interact(
-        () -> {
-          attitude.pitchDegProperty().set(0);
-          attitude.rollDegProperty().set(30);
-        });
+    robot.interact(() -> attitude.show(0, 30));
     Point2D right = inWindow(horizon, SIZE - 2, SIZE / 2);
     Point2D left = inWindow(horizon, 2, SIZE / 2);
     assertThat(right.getY()).isLessThan(left.getY()); // the right side is down: its sky is higher
@@ -69,7 +65,7 @@ class InstrumentsFxTest {
 
   @Test
   void theDroneOfTheCompassTurnsClockwise(FxRobot robot) {
-    robot.interact(() -> compass.yawDegProperty().set(90));
+    robot.interact(() -> compass.show(90));
 
     Bounds nose = compass.lookup(".nose").localToScene(compass.lookup(".nose").getLayoutBounds());
     Bounds card = compass.lookup(".card").localToScene(compass.lookup(".card").getLayoutBounds());
@@ -81,29 +77,25 @@ class InstrumentsFxTest {
   @Test
   void theBarReachesToTheShareOfTheRoom(FxRobot robot) {
     Rectangle filled = (Rectangle) height.lookup(".filled");
-    robot.interact(
-        () -> {
-          height.ceilingCmProperty().set(400);
-          height.heightCmProperty().set(100);
-        });
+    robot.interact(() -> height.show(100, 400));
     double whole = ((Rectangle) height.lookup(".track")).getHeight();
     assertThat(filled.getHeight()).isCloseTo(whole / 4, within(0.5));
     assertThat(height.lookupAll(".scale-number").stream().map(node -> ((Text) node).getText()))
         .containsExactlyInAnyOrder("0", "100", "200", "300", "400");
 
-    robot.interact(() -> height.heightCmProperty().set(1000));
+    robot.interact(() -> height.show(1000, 400));
     assertThat(filled.getHeight()).isEqualTo(whole);
   }
 
   @Test
   void theBatteryWarnsInSteps(FxRobot robot) {
-    robot.interact(() -> battery.percentProperty().set(50));
+    robot.interact(() -> battery.show(50));
     assertThat(battery.getPseudoClassStates()).isEmpty();
     Map<Integer, String> steps =
         Map.of(49, "fair", 20, "fair", 19, "low", 11, "low", 10, "critical");
     steps.forEach(
         (percent, look) -> {
-          robot.interact(() -> battery.percentProperty().set(percent));
+          robot.interact(() -> battery.show(percent));
           assertThat(battery.getPseudoClassStates())
               .as("%d %%", percent)
               .containsExactly(PseudoClass.getPseudoClass(look));

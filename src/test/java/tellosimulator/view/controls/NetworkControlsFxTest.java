@@ -49,7 +49,7 @@ class NetworkControlsFxTest {
   void timeThatWasLostIsShownBesideTheTime(FxRobot robot) {
     Label lost = robot.lookup("#lost-time").queryAs(Label.class);
     robot.interact(
-        () -> { // a busy machine may have lost some in earnest
+        () -> { // a busy machine may have lost some as well
           showLost(0);
           assertThat(lost.isVisible()).isFalse();
           showLost(12.34);
@@ -65,6 +65,7 @@ class NetworkControlsFxTest {
         new SimSnapshot(
             present.time(),
             new SimSnapshot.Clock(TimeFactor.REAL_TIME, false, seconds),
+            present.seed(),
             present.arena(),
             present.drones()));
   }
@@ -266,7 +267,7 @@ class NetworkControlsFxTest {
     window.until(() -> window.drone(1).product().equals(chosen));
     assertThat(window.drone(1).link().statePort()).isEqualTo(18890);
 
-    robot.clickOn("#behaviour-measured"); // one of them is always pressed
+    robot.clickOn("#behaviour-measured"); // one of them is always selected
     assertThat(robot.lookup("#behaviour-measured").queryAs(ToggleButton.class).isSelected())
         .isTrue();
   }
@@ -317,7 +318,7 @@ class NetworkControlsFxTest {
         });
   }
 
-  /** An idle window shows its clock anew every two seconds. */
+  /** Waits until an idle window has updated its clock, which takes up to two seconds. */
   private void passLongestPeriod() {
     double then = window.simulation().snapshot().time().seconds();
     window.until(() -> window.simulation().snapshot().time().seconds() > then + 2.5);

@@ -41,13 +41,14 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.testing.QuickRobot;
+import tellosimulator.view.testing.ViewContexts;
 import tellosimulator.view.testing.WindowFixture;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
 import tellosimulator.world.Room;
 
-/** A panel on a running simulation of its own, whose drones listen where the system chooses. */
+/** A panel on its own simulation, whose drones listen at addresses chosen by the system. */
 final class PanelWindow implements AutoCloseable {
 
   private static final int UNUSED_PORT = 9;
@@ -68,19 +69,19 @@ final class PanelWindow implements AutoCloseable {
             OptionalInt.empty(),
             List.of());
     context =
-        ViewContext.of(
+        ViewContexts.of(
             simulation,
             language,
             WindowVideo.of(simulation, DroneOptics.DEFAULT, MediaFolder.ofUser()));
   }
 
-  /** On the JavaFX thread. */
+  /** Opens a panel. Called on the JavaFX thread. */
   static PanelWindow open(Stage stage, int drones, Function<ViewContext, Parent> panel) {
     PanelWindow window = new PanelWindow(drones);
     Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
     stage.setScene(new Scene(panel.apply(window.context), 300, 780));
     stage.show();
-    window.context.pulse().start();
+    window.context.ticker().start();
     return window;
   }
 
@@ -92,13 +93,13 @@ final class PanelWindow implements AutoCloseable {
     return context;
   }
 
-  /** What the simulation says when all that a person did has been carried out. */
+  /** Returns the snapshot once all actions of the user have been carried out. */
   SimSnapshot snapshot() {
     until(() -> !context.actions().pending());
     return simulation.snapshot();
   }
 
-  /** Does something past the window, and waits until the simulation has done it. */
+  /** Carries out a control directly, without the window. */
   void carryOut(Control control) {
     try {
       simulation.carryOut(control);
@@ -115,26 +116,26 @@ final class PanelWindow implements AutoCloseable {
     return robot.lookup(id).queryAs(Labeled.class).getText();
   }
 
-  /** What stands in a field. */
+  /** Returns the text in a field. */
   String typed(String id) {
     return robot.lookup(id).queryTextInputControl().getText();
   }
 
-  /** The sentence below a field, empty if there is none. */
+  /** Returns the message below a field; empty if there is none. */
   String sentence(String id) {
     Label label = robot.lookup(id).queryAs(Label.class);
     assertThat(label.isVisible()).isEqualTo(!label.getText().isEmpty());
     return label.getText();
   }
 
-  /** Puts a text into a field as a person does, without Enter. */
+  /** Types a text into a field as a user does, without Enter. */
   void type(String id, String text) {
     robot.clickOn(id);
     robot.press(KeyCode.CONTROL).type(KeyCode.A).release(KeyCode.CONTROL).type(KeyCode.DELETE);
     robot.write(text);
   }
 
-  /** Types a text and Enter, and waits until what that does has come back. */
+  /** Types a text and Enter, and waits until its effect is shown. */
   void enter(String id, String text) {
     type(id, text);
     robot.type(KeyCode.ENTER);
@@ -145,7 +146,9 @@ final class PanelWindow implements AutoCloseable {
     robot.interact(() -> language.localeProperty().set(locale));
   }
 
-  /** Waits until something holds, also of a node that is not there yet, or half changed. */
+  /**
+   * Waits for a condition, which may fail with an exception while nodes are missing or incomplete.
+   */
   void until(Callable<Boolean> condition) {
     try {
       WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, () -> holds(condition));
@@ -162,14 +165,14 @@ final class PanelWindow implements AutoCloseable {
     }
   }
 
-  /** Waits until what was done has come back, and is shown. */
+  /** Waits until all actions have been carried out and are shown. */
   void settle() {
     until(() -> !context.actions().pending());
-    robot.interact(() -> context.pulse().wake()); // or it may beat but twice a second
+    robot.interact(() -> context.ticker().wake()); // otherwise it might tick only twice a second
     WindowFixture.passFrames(2);
   }
 
-  /** Sends commands one after the other and returns the last reply. */
+  /** Sends commands, one after another, and returns the last reply. */
   String fly(String... commands) throws IOException {
     until(() -> drone(1).state().phase() != FlightPhase.OFF);
     InetSocketAddress drone = simulation.addresses(1).get(0);
@@ -189,7 +192,7 @@ final class PanelWindow implements AutoCloseable {
 
   @Override
   public void close() {
-    robot.interact(() -> context.pulse().stop());
+    robot.interact(() -> context.ticker().stop());
     context.actions().close();
     context.video().close();
     simulation.close();

@@ -60,7 +60,7 @@ class SimulatorControlsFxTest {
     assertThat(window.text("#z")).isEqualTo("100");
     assertThat(window.text("#x")).isEqualTo("0");
     int y = Integer.parseInt(window.text("#y"));
-    assertThat(y).isBetween(-102, -98); // it looked to the right, which is where y is negative
+    assertThat(y).isBetween(-102, -98); // it faced right, where y is negative
     assertThat(window.text("#yaw")).isEqualTo("90");
     assertThat(Integer.parseInt(window.text("#speed"))).isBetween(0, 5);
     assertThat(accessible(robot, "#compass")).isEqualTo("Heading: yaw 90 degrees");
@@ -79,8 +79,7 @@ class SimulatorControlsFxTest {
 
     assertThat(window.fly("command", "takeoff")).isEqualTo("ok");
 
-    window.until(() -> isOpen(robot, "#card-charts"));
-    assertThat(isOpen(robot, "#card-program")).isFalse();
+    window.until(() -> isOpen(robot, "#card-charts") && !isOpen(robot, "#card-program"));
     robot.clickOn("#panel-copy-program");
     String[] copied = new String[1];
     robot.interact(() -> copied[0] = Clipboard.getSystemClipboard().getString());

@@ -28,7 +28,7 @@ class FxFramesTest {
     assertThat(changes(FxFrames::place, moved)).as("a body").isOne();
   }
 
-  /** How often a transform that is at a pose says that it changes when it is put to another. */
+  /** Returns the number of changes that a transform reports when it is set to another pose. */
   private static int changes(BiConsumer<Affine, Pose> put, Pose next) {
     Affine transform = new Affine();
     put.accept(transform, POSE);

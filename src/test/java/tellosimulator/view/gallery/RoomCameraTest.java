@@ -15,7 +15,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenery.mesh.Rgb;
-import tellosimulator.scenery.overlay.MarkColors;
+import tellosimulator.scenery.overlay.OverlayColors;
 import tellosimulator.video.camera.PinholeCamera;
 
 class RoomCameraTest {
@@ -32,14 +32,14 @@ class RoomCameraTest {
   void fewThingsAreSeenFromSoFarThatOneSeesWhereTheyStand() {
     List<Vec3> corners = corners(new Vec3(0.2, 0.2, 0.1));
 
-    // 0.1 m beside the middle, and a little more across corners, of 3 m times half the picture
+    // 0.1 m or slightly more from the middle; at 3 m, half the picture is 3 tan 20° = 1.1 m
     assertThat(widest(RoomCamera.overview(corners), corners)).isBetween(0.05, 0.2);
   }
 
   @Test
   void theNumberOfAGoalOnATableIsInThePicture() {
     int[] argb = new RoomCamera().picture(Gallery.find("table-landing").orElseThrow());
-    Rgb active = MarkColors.of(GoalState.ACTIVE);
+    Rgb active = OverlayColors.of(GoalState.ACTIVE);
 
     // its blue square is 19 pixels wide; ring and start mark of the drone have another blue
     long blue = Arrays.stream(argb).filter(pixel -> (pixel & 0xffffff) == hex(active)).count();
@@ -50,7 +50,9 @@ class RoomCameraTest {
     return color.argb() & 0xffffff;
   }
 
-  /** How far from the middle to the edges of the picture the outermost place is seen. */
+  /**
+   * Returns the distance of the outermost place from the centre, as a fraction of half the picture.
+   */
   private static double widest(PinholeCamera camera, List<Vec3> places) {
     double widest = 0;
     for (Vec3 place : places) {
@@ -64,7 +66,7 @@ class RoomCameraTest {
     return widest;
   }
 
-  /** Of a box on the floor. */
+  /** Returns the corners of a box on the floor. */
   private static List<Vec3> corners(Vec3 size) {
     List<Vec3> corners = new ArrayList<>();
     for (double x : new double[] {-size.x() / 2, size.x() / 2}) {

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
+import tellosimulator.command.Request;
 import tellosimulator.controller.FlightEvent;
 import tellosimulator.goal.GoalEvent;
 import tellosimulator.network.PortTakenException;
@@ -48,7 +49,8 @@ class LogFormatTest {
 
   @Test
   void whatHasASubjectIsASentenceAlready() {
-    LogLine command = LogLine.of(new SimEvent.CommandReceived(SimTime.ZERO, 1, PEER, "takeoff"));
+    LogLine command =
+        LogLine.of(new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(1, PEER, "takeoff")));
     LogLine world =
         LogLine.of(new SimEvent.WorldChanged(SimTime.ZERO, Phrase.of("time stands still")));
     LogLine all =

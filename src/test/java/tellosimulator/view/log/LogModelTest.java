@@ -13,6 +13,7 @@ import java.util.stream.IntStream;
 import javafx.collections.ListChangeListener;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
+import tellosimulator.command.Request;
 import tellosimulator.time.SimTime;
 import tellosimulator.view.text.Language;
 import tellosimulator.words.Phrase;
@@ -130,8 +131,8 @@ class LogModelTest {
 
   @Test
   void theAnswerIsInTheRowOfItsCommand() {
-    model.append(List.of(received(1, "takeoff"), received(2, "takeoff")));
-    model.append(List.of(line(LogLevel.INFO, "took off"), answered(2, 3, "takeoff")));
+    model.append(List.of(received(1, 1, "takeoff"), received(2, 1, "takeoff")));
+    model.append(List.of(line(LogLevel.INFO, "took off"), answered(2, 1, 3, "takeoff")));
 
     assertThat(words()).containsExactly("takeoff", "takeoff | takeoff: ok", "took off");
     assertThat(model.shown().get(1).duration()).hasValue(3);
@@ -142,17 +143,25 @@ class LogModelTest {
   }
 
   @Test
-  void aCopyOfARunningCommandIsAnsweredBeforeIt() {
-    model.append(List.of(received(1, "up 50"), received(1, "up 50")));
-    model.append(List.of(refused("up 50"), answered(1, 4, "up 50")));
+  void equalCommandsAreToldApartByTheirNumbers() {
+    model.append(List.of(received(1, 7, "up 50"), received(1, 8, "up 50")));
+    model.append(List.of(refused(8, "up 50"), answered(1, 7, 4, "up 50")));
 
     assertThat(words()).containsExactly("up 50 | up 50: ok", "up 50 | up 50: error");
   }
 
   @Test
+  void bothRepliesToAStopAreInItsRow() {
+    model.append(List.of(received(1, 3, "stop"), received(1, 4, "stop")));
+    model.append(List.of(answered(1, 3, 0, "stop"), answered(1, 3, 1, "stop")));
+
+    assertThat(words()).containsExactly("stop | stop: ok | stop: ok", "stop");
+  }
+
+  @Test
   void anAnswerWithoutACommandIsARowOfItsOwn() {
-    model.append(List.of(answered(1, 1, "stop"), received(1, "rc 0 0 0 0")));
-    model.append(List.of(received(1, "rc 0 0 0 0")));
+    model.append(List.of(answered(1, 1, 1, "stop"), received(1, 2, "rc 0 0 0 0")));
+    model.append(List.of(received(1, 3, "rc 0 0 0 0")));
 
     assertThat(words()).containsExactly("stop: ok", "rc 0 0 0 0", "rc 0 0 0 0");
     assertThat(model.shown().get(0).duration()).isEmpty();
@@ -161,10 +170,10 @@ class LogModelTest {
   @Test
   void aDetailThatIsRefusedAppearsAtItsPlace() {
     model.setLevel(LogLevel.INFO);
-    model.append(List.of(received(1, "battery?"), line(LogLevel.INFO, "later")));
+    model.append(List.of(received(1, 1, "battery?"), line(LogLevel.INFO, "later")));
     assertThat(words()).containsExactly("later");
 
-    model.append(List.of(refused("battery?")));
+    model.append(List.of(refused(1, "battery?")));
 
     assertThat(words()).containsExactly("battery? | battery?: error", "later");
   }
@@ -172,11 +181,11 @@ class LogModelTest {
   @Test
   void rowsOfAnotherDroneAreLeftOut() {
     model.append(
-        List.of(received(1, "up 20"), received(2, "up 30"), line(LogLevel.INFO, "paused")));
+        List.of(received(1, 1, "up 20"), received(2, 1, "up 30"), line(LogLevel.INFO, "paused")));
 
     model.setDrone(OptionalInt.of(2));
     assertThat(words()).containsExactly("up 30", "paused");
-    model.append(List.of(answered(1, 1, "up 20"), answered(2, 1, "up 30")));
+    model.append(List.of(answered(1, 1, 1, "up 20"), answered(2, 1, 1, "up 30")));
     assertThat(words()).containsExactly("up 30 | up 30: ok", "paused");
     model.setDrone(OptionalInt.empty());
     assertThat(words()).hasSize(3);
@@ -184,46 +193,47 @@ class LogModelTest {
 
   @Test
   void anAnswerThatComesAfterItsCommandFellOutIsARowOfItsOwn() {
-    model.append(List.of(received(1, "up 20")));
+    model.append(List.of(received(1, 1, "up 20")));
     model.append(lines(0, CAPACITY));
 
-    model.append(List.of(answered(1, 1, "up 20")));
+    model.append(List.of(answered(1, 1, 1, "up 20")));
 
     assertThat(words()).hasSize(CAPACITY).endsWith("up 20: ok");
   }
 
-  private static LogLine received(int drone, String command) {
+  private static LogLine received(int drone, int number, String command) {
     LogLevel level = command.endsWith("?") ? LogLevel.DEBUG : LogLevel.INFO;
-    return exchange(SimTime.ZERO, level, drone, command, Optional.empty());
+    return exchange(
+        SimTime.ZERO, level, drone, new Request(number, PEER, command), Optional.empty());
   }
 
-  private static LogLine answered(int drone, int seconds, String command) {
+  private static LogLine answered(int drone, int number, int seconds, String command) {
     return exchange(
         new SimTime(seconds * 1_000_000_000L),
         LogLevel.INFO,
         drone,
-        command,
+        new Request(number, PEER, command),
         Optional.of(new LogLine.Outcome("ok", Optional.empty())));
   }
 
-  private static LogLine refused(String command) {
+  private static LogLine refused(int number, String command) {
     return exchange(
         SimTime.ZERO,
         LogLevel.WARN,
         1,
-        command,
+        new Request(number, PEER, command),
         Optional.of(new LogLine.Outcome("error", Optional.of(Phrase.of("because")))));
   }
 
   private static LogLine exchange(
-      SimTime time, LogLevel level, int drone, String command, Optional<LogLine.Outcome> outcome) {
-    String words = command + outcome.map(end -> ": " + end.reply()).orElse("");
+      SimTime time, LogLevel level, int drone, Request request, Optional<LogLine.Outcome> outcome) {
+    String words = request.text() + outcome.map(end -> ": " + end.reply()).orElse("");
     return new LogLine(
         time,
         level,
         LogLine.About.drone(drone, false),
         language -> words,
-        Optional.of(new LogLine.Exchange(PEER, command, outcome)));
+        Optional.of(new LogLine.Exchange(request, outcome)));
   }
 
   private static void repeat(

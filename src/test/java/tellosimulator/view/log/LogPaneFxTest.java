@@ -36,6 +36,7 @@ import org.testfx.framework.junit5.Start;
 import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
+import tellosimulator.command.Request;
 import tellosimulator.controller.FlightEvent;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
@@ -48,6 +49,7 @@ import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.testing.QuickRobot;
 import tellosimulator.view.testing.StageExtension;
+import tellosimulator.view.testing.ViewContexts;
 import tellosimulator.view.testing.WindowFixture;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
@@ -59,7 +61,7 @@ import tellosimulator.world.Surface;
 @ExtendWith(StageExtension.class)
 class LogPaneFxTest {
 
-  /** Cells that a list of this height can show at the most, and a few that the toolkit keeps. */
+  /** Maximum number of cells in a list of this height, and a few that the toolkit keeps. */
   private static final int MOST_CELLS = 40;
 
   private final LogQueue logQueue = new LogQueue();
@@ -78,14 +80,14 @@ class LogPaneFxTest {
             OptionalInt.empty(),
             List.of());
     context =
-        ViewContext.of(
+        ViewContexts.of(
             simulation,
             new Language(Locale.ENGLISH),
             WindowVideo.of(simulation, DroneOptics.DEFAULT, MediaFolder.ofUser()));
     box = new LogPane(context, logQueue);
     stage.setScene(new Scene(box, 1280, 170));
     stage.show();
-    context.pulse().beat(0);
+    context.ticker().tick(0);
   }
 
   @AfterEach
@@ -114,7 +116,7 @@ class LogPaneFxTest {
   @Test
   void theLevelFilterShowsThatLevelAndAbove() {
     commands(1);
-    happens(new SimEvent.CommandReceived(SimTime.ZERO, 1, peer(), "battery?"));
+    happens(new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(1, peer(), "battery?")));
     happens(
         new SimEvent.CommandIgnored(
             SimTime.ZERO, 1, peer(), "up 20", Phrase.of("the drone is off")));
@@ -129,11 +131,15 @@ class LogPaneFxTest {
 
   @Test
   void aCommandItsReplyAndHowLongItTookAreOneRow() {
-    happens(new SimEvent.CommandReceived(new SimTime(2_000_000_000), 1, peer(), "takeoff"));
+    happens(
+        new SimEvent.CommandReceived(
+            new SimTime(2_000_000_000), 1, new Request(1, peer(), "takeoff")));
     assertThat(textOf(cell(1), ".log-words")).isEqualTo("takeoff");
     assertThat(textOf(cell(1), ".log-reply")).isEqualTo("…");
 
-    happens(new SimEvent.ReplySent(new SimTime(5_250_000_000L), 1, peer(), "takeoff", Reply.OK));
+    happens(
+        new SimEvent.ReplySent(
+            new SimTime(5_250_000_000L), 1, new Request(1, peer(), "takeoff"), Reply.OK));
 
     assertThat(shown()).as("a greeting and the command").hasSize(2);
     assertThat(textOf(cell(1), ".log-reply")).isEqualTo("ok");
@@ -186,7 +192,7 @@ class LogPaneFxTest {
   @Test
   void linesOfOneDroneAreShownAlone() {
     commands(1);
-    happens(new SimEvent.CommandReceived(SimTime.ZERO, 2, peer(), "land"));
+    happens(new SimEvent.CommandReceived(SimTime.ZERO, 2, new Request(1, peer(), "land")));
 
     robot.clickOn("#log-drone").clickOn("Drone 2");
 
@@ -221,13 +227,14 @@ class LogPaneFxTest {
   }
 
   private void refused() {
-    happens(new SimEvent.CommandReceived(new SimTime(1_000_000_000), 1, peer(), "up 20"));
+    happens(
+        new SimEvent.CommandReceived(
+            new SimTime(1_000_000_000), 1, new Request(1, peer(), "up 20")));
     happens(
         new SimEvent.CommandRefused(
             new SimTime(1_500_000_000),
             1,
-            peer(),
-            "up 20",
+            new Request(1, peer(), "up 20"),
             Reply.NOT_JOYSTICK,
             Phrase.of("something else runs")));
   }
@@ -434,7 +441,8 @@ class LogPaneFxTest {
 
   private void commands(int count) {
     for (int i = 0; i < count; i++) {
-      logQueue.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, peer(), "forward " + i));
+      logQueue.event(
+          new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(i, peer(), "forward " + i)));
       if (i % LogQueue.CAPACITY == LogQueue.CAPACITY - 1) {
         pulse();
       }
@@ -479,10 +487,10 @@ class LogPaneFxTest {
         null);
   }
 
-  /** A pulse of the window, and a second one after it was laid out. */
+  /** Waits for a pulse of the window, and a second one after its layout. */
   private void pulse() {
     for (int i = 0; i < 2; i++) {
-      robot.interact(() -> context.pulse().beat(0));
+      robot.interact(() -> context.ticker().tick(0));
       robot.interact(() -> box.getScene().getRoot().layout());
     }
   }
@@ -519,7 +527,7 @@ class LogPaneFxTest {
     return WaitForAsyncUtils.waitForAsyncFx(10_000, question);
   }
 
-  /** The cells with a line, from above. */
+  /** Returns the cells with a line, from top to bottom. */
   private List<ListCell<?>> cells() {
     Set<Node> found = robot.lookup("#log-list .list-cell").queryAll();
     return found.stream()
@@ -529,7 +537,7 @@ class LogPaneFxTest {
         .toList();
   }
 
-  /** The lines that one can see at least half of, by their places in the list. */
+  /** Returns the indices of the lines of which at least half is visible. */
   private List<Integer> visible() {
     return inSight().stream().<Integer>map(ListCell::getIndex).toList();
   }

@@ -62,7 +62,7 @@ class FxDroneModelTest {
   private void showsYaw(int degrees) {
     drone.advance(0.2);
     model.update(drone.snapshot(), false);
-    assertThat(Math.round(model.yawDegProperty().get())).isEqualTo(degrees);
+    assertThat(Math.round(model.yawDeg())).isEqualTo(degrees);
     assertThat(drone.stateLines().get(drone.stateLines().size() - 1).text())
         .contains(";yaw:" + degrees + ";");
     assertThat(drone.ask("attitude?")).endsWith("yaw:" + degrees + ";\r\n");

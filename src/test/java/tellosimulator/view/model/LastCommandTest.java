@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
+import tellosimulator.command.Request;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.time.SimTime;
 import tellosimulator.view.model.LastCommand.Outcome;
@@ -27,13 +28,14 @@ class LastCommandTest {
   void aCommandRunsUntilItIsAnswered() {
     assertThat(last.newest()).isEmpty();
 
-    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 2, PEER, "forward 100"));
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 2, new Request(1, PEER, "forward 100")));
     assertThat(last.newest())
-        .contains(new Shown(2, "forward 100", Outcome.RUNNING, "", Optional.empty()));
+        .contains(new Shown(2, 1, "forward 100", Outcome.RUNNING, "", Optional.empty()));
 
-    last.event(new SimEvent.ReplySent(SimTime.ZERO, 2, PEER, "forward 100", Reply.OK));
+    last.event(
+        new SimEvent.ReplySent(SimTime.ZERO, 2, new Request(1, PEER, "forward 100"), Reply.OK));
     assertThat(last.newest())
-        .contains(new Shown(2, "forward 100", Outcome.DONE, "ok", Optional.empty()));
+        .contains(new Shown(2, 1, "forward 100", Outcome.DONE, "ok", Optional.empty()));
 
     last.clear();
     assertThat(last.newest()).isEmpty();
@@ -41,9 +43,11 @@ class LastCommandTest {
 
   @Test
   void readsAndSticksDoNotCount() {
-    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, PEER, "battery?"));
-    last.event(new SimEvent.ReplySent(SimTime.ZERO, 1, PEER, "battery?", Reply.line("90")));
-    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, PEER, "rc 0 0 0 0"));
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(1, PEER, "battery?")));
+    last.event(
+        new SimEvent.ReplySent(
+            SimTime.ZERO, 1, new Request(1, PEER, "battery?"), Reply.line("90")));
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(2, PEER, "rc 0 0 0 0")));
 
     assertThat(last.newest()).isEmpty();
   }
@@ -51,27 +55,32 @@ class LastCommandTest {
   @Test
   void whatWasSentBeforeEndsUnnoticedIfItSucceeds() {
     Phrase reason = Phrase.of("because");
-    Shown refused = new Shown(1, "flip f", Outcome.FAILED, "error", Optional.of(reason));
-    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, PEER, "forward 60"));
+    Shown refused = new Shown(1, 2, "flip f", Outcome.FAILED, "error", Optional.of(reason));
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(1, PEER, "forward 60")));
     last.event(
-        new SimEvent.CommandRefused(SimTime.ZERO, 1, PEER, "flip f", Reply.line("error"), reason));
+        new SimEvent.CommandRefused(
+            SimTime.ZERO, 1, new Request(2, PEER, "flip f"), Reply.line("error"), reason));
 
-    last.event(new SimEvent.ReplySent(SimTime.ZERO, 1, PEER, "forward 60", Reply.OK));
+    last.event(
+        new SimEvent.ReplySent(SimTime.ZERO, 1, new Request(1, PEER, "forward 60"), Reply.OK));
     assertThat(last.newest()).contains(refused);
 
-    last.event(new SimEvent.CommandFailed(SimTime.ZERO, 1, PEER, "forward 60", Reply.OK, reason));
+    last.event(
+        new SimEvent.CommandFailed(
+            SimTime.ZERO, 1, new Request(1, PEER, "forward 60"), Reply.OK, reason));
     assertThat(last.newest().map(Shown::text)).contains("forward 60");
   }
 
   @Test
   void readsAndSticksAreHeard() {
-    last.event(new SimEvent.CommandReceived(SimTime.ZERO.plus(1), 1, PEER, "land"));
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO.plus(1), 1, new Request(1, PEER, "land")));
     assertThat(last.silence(41)).as("sent at 1 s").isEqualTo(40);
 
-    last.event(new SimEvent.CommandReceived(SimTime.ZERO.plus(40), 1, PEER, "battery?"));
+    last.event(
+        new SimEvent.CommandReceived(SimTime.ZERO.plus(40), 1, new Request(1, PEER, "battery?")));
     assertThat(last.silence(41)).isEqualTo(1);
 
-    last.event(new SimEvent.Restarted(SimTime.ZERO));
+    last.event(new SimEvent.RunStarted(SimTime.ZERO));
     assertThat(last.silence(0)).isZero();
   }
 
@@ -80,12 +89,13 @@ class LastCommandTest {
     Phrase reason = Phrase.of("because");
 
     last.event(
-        new SimEvent.CommandRefused(SimTime.ZERO, 1, PEER, "up 9", Reply.OUT_OF_RANGE, reason));
+        new SimEvent.CommandRefused(
+            SimTime.ZERO, 1, new Request(1, PEER, "up 9"), Reply.OUT_OF_RANGE, reason));
     assertThat(last.newest())
-        .contains(new Shown(1, "up 9", Outcome.FAILED, "out of range", Optional.of(reason)));
+        .contains(new Shown(1, 1, "up 9", Outcome.FAILED, "out of range", Optional.of(reason)));
 
     last.event(new SimEvent.CommandIgnored(SimTime.ZERO, 1, PEER, "up 20", reason));
     assertThat(last.newest())
-        .contains(new Shown(1, "up 20", Outcome.FAILED, "", Optional.of(reason)));
+        .contains(new Shown(1, 0, "up 20", Outcome.FAILED, "", Optional.of(reason)));
   }
 }

@@ -27,7 +27,7 @@ import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.testing.CapturedLog;
 
-/** The thread of the window goes on while what it wants is carried out. */
+/** The window's thread continues while its actions are carried out. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class SimulatorActionsTest {
 
@@ -44,7 +44,7 @@ class SimulatorActionsTest {
           List.of(new Busy()));
   private final SimulatorActions actions = new SimulatorActions(simulation);
 
-  /** Keeps the simulation's thread until the test lets it go on. */
+  /** Blocks the simulation thread until the test releases it. */
   private final class Busy implements SimListener {
     @Override
     public void stepped(SimSnapshot snapshot) {
@@ -77,7 +77,9 @@ class SimulatorActionsTest {
     }
   }
 
-  /** Or it would look at a snapshot that was taken before what it answers was done. */
+  /**
+   * Otherwise it would read a snapshot that was taken before the answered action was carried out.
+   */
   @Test
   void anAnswerThatComesAfterTheSnapshotWaitsForTheNextOne() throws InterruptedException {
     goOn.countDown();

@@ -34,7 +34,7 @@ import tellosimulator.world.Room;
 @Tag("slow")
 class DemoFlightTest {
 
-  /** The 15 s after which a drone lands that hears nothing pass in less than half a second. */
+  /** The 15 s without commands after which a drone lands pass in less than half a second. */
   private static final SimConfig FAST =
       SimConfig.DEFAULT
           .withTimeFactor(new TimeFactor(40))
@@ -78,8 +78,8 @@ class DemoFlightTest {
 
     switchOnAndStart();
     assertThat(demo.runningProperty().get()).isTrue();
-    int steps = demo.stepsProperty().get();
-    window.beatUntil(() -> !demo.runningProperty().get());
+    int steps = demo.stepProperty().get().count();
+    window.tickUntil(() -> !demo.runningProperty().get());
 
     assertThat(problem()).isEmpty();
     assertThat(window.phase()).isEqualTo(FlightPhase.GROUNDED);
@@ -92,10 +92,10 @@ class DemoFlightTest {
   @Test
   void tellsWhichCommandRuns() {
     switchOnAndStart();
-    window.beatUntil(() -> demo.commandProperty().get().equals("takeoff"));
+    window.tickUntil(() -> demo.stepProperty().get().command().equals("takeoff"));
 
-    assertThat(demo.stepProperty().get()).isEqualTo(2);
-    assertThat(demo.stepsProperty().get()).isEqualTo(15);
+    assertThat(demo.stepProperty().get().number()).isEqualTo(2);
+    assertThat(demo.stepProperty().get().count()).isEqualTo(15);
     assertThat(demo.stageProperty().get()).isEqualTo(Stage.FLYING);
   }
 
@@ -104,12 +104,12 @@ class DemoFlightTest {
   void landsWhenItIsStoppedInAMove(Profile profile, Behavior behavior) {
     restart(FAST.withProduct(profile, behavior));
     switchOnAndStart();
-    window.beatUntil(() -> demo.commandProperty().get().startsWith("curve"));
+    window.tickUntil(() -> demo.stepProperty().get().command().startsWith("curve"));
 
     demo.stop();
 
     assertThat(demo.stageProperty().get()).isEqualTo(Stage.LANDING);
-    window.beatUntil(() -> !demo.runningProperty().get());
+    window.tickUntil(() -> !demo.runningProperty().get());
     assertThat(window.phase()).isEqualTo(FlightPhase.GROUNDED);
     assertThat(window.commands()).doesNotContain("flip f").contains("land");
     assertThat(problem()).isEmpty();
@@ -118,11 +118,11 @@ class DemoFlightTest {
   @Test
   void landsWhenItIsStoppedDuringTakeoff() {
     switchOnAndStart();
-    window.beatUntil(() -> demo.commandProperty().get().equals("takeoff"));
+    window.tickUntil(() -> demo.stepProperty().get().command().equals("takeoff"));
 
     demo.stop();
 
-    window.beatUntil(() -> !demo.runningProperty().get());
+    window.tickUntil(() -> !demo.runningProperty().get());
     assertThat(window.phase()).isEqualTo(FlightPhase.GROUNDED);
     assertThat(window.commands()).doesNotContain("up 90");
   }
@@ -130,12 +130,12 @@ class DemoFlightTest {
   @Test
   void stoppingBeforeTakeoffNeedsNoLanding() {
     window.carryOut(new Control.Power(1, true));
-    window.beat();
+    window.tick();
 
     demo.start();
     demo.stop();
 
-    window.beatUntil(() -> !demo.runningProperty().get());
+    window.tickUntil(() -> !demo.runningProperty().get());
     assertThat(window.commands()).doesNotContain("takeoff", "land");
   }
 
@@ -152,39 +152,39 @@ class DemoFlightTest {
   @Test
   void waitsAsLongAsTimeStandsStill() {
     switchOnAndStart();
-    window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
+    window.tickUntil(() -> demo.stepProperty().get().command().startsWith("forward"));
     window.carryOut(new Control.Pause(true));
     long now = System.nanoTime();
 
     for (int minute = 0; minute < 10; minute++) {
-      window.context().pulse().beat(now + TimeUnit.MINUTES.toNanos(minute));
+      window.context().ticker().tick(now + TimeUnit.MINUTES.toNanos(minute));
     }
     assertThat(demo.stageProperty().get()).isEqualTo(Stage.FLYING);
 
     window.carryOut(new Control.Pause(false));
-    window.beatUntil(() -> !demo.runningProperty().get());
+    window.tickUntil(() -> !demo.runningProperty().get());
     assertThat(problem()).isEmpty();
   }
 
   @Test
   void saysThatTheDroneWasSwitchedOff() {
     switchOnAndStart();
-    window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
+    window.tickUntil(() -> demo.stepProperty().get().command().startsWith("forward"));
 
     window.carryOut(new Control.Power(1, false));
 
-    window.beatUntil(() -> !demo.runningProperty().get());
+    window.tickUntil(() -> !demo.runningProperty().get());
     assertThat(problem()).isEqualTo("Drone 1 was switched off.");
   }
 
   @Test
   void saysThatTheDroneCameDown() {
     switchOnAndStart();
-    window.beatUntil(() -> window.commands().contains("flip f"));
+    window.tickUntil(() -> window.commands().contains("flip f"));
 
     window.carryOut(new Control.Reset(1));
 
-    window.beatUntil(() -> !demo.runningProperty().get());
+    window.tickUntil(() -> !demo.runningProperty().get());
     assertThat(problem()).isEqualTo("The drone came down during “flip f”.");
     assertThat(window.commands()).doesNotContain("land");
   }
@@ -192,11 +192,11 @@ class DemoFlightTest {
   @Test
   void endsWithTheDronesRefusalAndLands() {
     switchOnAndStart();
-    window.beatUntil(() -> demo.commandProperty().get().startsWith("curve"));
+    window.tickUntil(() -> demo.stepProperty().get().command().startsWith("curve"));
 
     window.carryOut(new Control.SetBattery(1, 30));
 
-    window.beatUntil(() -> !demo.runningProperty().get());
+    window.tickUntil(() -> !demo.runningProperty().get());
     assertThat(problem()).isEqualTo("The drone answered “error” to “flip f”; the log says why.");
     assertThat(window.phase()).isEqualTo(FlightPhase.GROUNDED);
   }
@@ -212,7 +212,7 @@ class DemoFlightTest {
   @Test
   void aDroneInTheAirIsNotFlown() {
     switchOnAndStart();
-    window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
+    window.tickUntil(() -> demo.stepProperty().get().command().startsWith("forward"));
     DemoFlight second = new DemoFlight(window.context());
 
     second.start();
@@ -238,12 +238,12 @@ class DemoFlightTest {
   @Test
   void closingLeavesTheDroneAlone() {
     switchOnAndStart();
-    window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
-    window.beatUntil(() -> window.commands().stream().anyMatch(text -> text.startsWith("forward")));
+    window.tickUntil(() -> demo.stepProperty().get().command().startsWith("forward"));
+    window.tickUntil(() -> window.commands().stream().anyMatch(text -> text.startsWith("forward")));
     int commands = window.commands().size();
 
     demo.close();
-    window.beat();
+    window.tick();
 
     assertThat(demo.runningProperty().get()).isFalse();
     assertThat(window.commands()).hasSize(commands);

@@ -28,13 +28,13 @@ import tellosimulator.world.Room;
 
 class DemoTourTest {
 
-  /** Air that is left at walls and ceiling once the drone has come away from its start [m]. */
+  /** Clearance from walls and ceiling after the drone has left its start [m]. */
   private static final double AIR = 0.03;
 
   private static final Collider WITH_AIR =
       new Collider(DroneSpec.COLLIDER.radius() + AIR, DroneSpec.COLLIDER.height() + AIR);
 
-  /** Longest simulated time that a command may take [s]. */
+  /** Maximum simulated duration of a command [s]. */
   private static final double PATIENCE = 30;
 
   private Room room = Room.DEFAULT;
@@ -143,7 +143,7 @@ class DemoTourTest {
     flyAndWatch(tour());
   }
 
-  /** With a link that loses nothing: the tour is about places. */
+  /** Starts without packet loss, as the tour is about positions. */
   private void start(SimConfig newConfig) {
     config = newConfig.withLink(LinkPreset.IDEAL);
     drone = SteppedDrone.of(config);
@@ -157,6 +157,7 @@ class DemoTourTest {
     return new SimSnapshot(
         SimTime.ZERO,
         new SimSnapshot.Clock(TimeFactor.REAL_TIME, false),
+        1,
         Arena.DEFAULT.withRoom(room),
         List.of(drone.snapshot()));
   }

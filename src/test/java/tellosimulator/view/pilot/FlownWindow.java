@@ -20,17 +20,18 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.testing.ViewContexts;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
 
-/** A running simulation with real sockets on free ports, and the context of a window on it. */
+/** A running simulation with real sockets on free ports, and the context of a window for it. */
 public final class FlownWindow implements AutoCloseable {
 
-  /** State and video go where nobody listens. */
+  /** The port for state and video, on which no program listens. */
   private static final int DISCARD = 9;
 
-  /** Longest wait by the wall clock [ns]. */
+  /** Maximum wait by the wall clock [ns]. */
   private static final long PATIENCE_NANOS = 60_000_000_000L;
 
   private final List<SimEvent> events = new CopyOnWriteArrayList<>();
@@ -53,7 +54,7 @@ public final class FlownWindow implements AutoCloseable {
             OptionalInt.empty(),
             List.of(listener));
     context =
-        ViewContext.of(
+        ViewContexts.of(
             simulation,
             new Language(Locale.ENGLISH),
             WindowVideo.of(simulation, DroneOptics.DEFAULT, MediaFolder.ofUser()));
@@ -75,21 +76,21 @@ public final class FlownWindow implements AutoCloseable {
     simulation.setCommandPort(1, port);
   }
 
-  /** Beats until all that was done in the window has been carried out. */
+  /** Ticks until all actions of the window have been carried out. */
   void settle() {
-    beatUntil(() -> !context.actions().pending());
+    tickUntil(() -> !context.actions().pending());
   }
 
-  void beat() {
-    context.pulse().beat(System.nanoTime());
+  void tick() {
+    context.ticker().tick(System.nanoTime());
   }
 
-  /** Beats as a window does, until something is so. */
-  void beatUntil(BooleanSupplier reached) {
+  /** Ticks as a window does, until a condition is met. */
+  void tickUntil(BooleanSupplier reached) {
     long end = System.nanoTime() + PATIENCE_NANOS;
     while (!reached.getAsBoolean()) {
       assertThat(System.nanoTime()).as("reached before the end of patience").isLessThan(end);
-      beat();
+      tick();
       LockSupport.parkNanos(10_000_000);
     }
   }
@@ -102,12 +103,12 @@ public final class FlownWindow implements AutoCloseable {
     return simulation.addresses(1).get(0).getPort();
   }
 
-  /** What happened so far, in order. */
+  /** The events so far, in order. */
   List<SimEvent> events() {
     return List.copyOf(events);
   }
 
-  /** The commands that drone 1 received so far, in order. */
+  /** The commands that drone 1 has received so far, in order. */
   List<String> commands() {
     return events.stream()
         .filter(SimEvent.CommandReceived.class::isInstance)
@@ -115,6 +116,12 @@ public final class FlownWindow implements AutoCloseable {
         .filter(command -> command.drone() == 1)
         .map(SimEvent.CommandReceived::text)
         .toList();
+  }
+
+  /** Whether drone 1 has replied to a command with this text. */
+  boolean answered(String text) {
+    return events.stream()
+        .anyMatch(event -> event instanceof SimEvent.ReplySent reply && reply.text().equals(text));
   }
 
   @Override

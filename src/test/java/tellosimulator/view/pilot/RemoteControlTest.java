@@ -28,7 +28,7 @@ class RemoteControlTest {
   void takingOffSwitchesTheDroneOnFirst() {
     remote.takeOff();
 
-    window.beatUntil(() -> window.phase() == FlightPhase.FLYING);
+    window.tickUntil(() -> window.phase() == FlightPhase.FLYING);
     assertThat(window.commands()).containsExactly("command", "takeoff");
   }
 
@@ -37,7 +37,7 @@ class RemoteControlTest {
     remote.takeOff();
     remote.takeOff();
 
-    window.beatUntil(() -> window.phase() == FlightPhase.FLYING);
+    window.tickUntil(() -> window.phase() == FlightPhase.FLYING);
     assertThat(window.commands()).containsExactly("command", "takeoff");
   }
 
@@ -48,7 +48,7 @@ class RemoteControlTest {
     window.settle();
 
     remote.ask("battery?");
-    window.beatUntil(() -> window.commands().contains("battery?"));
+    window.tickUntil(() -> window.commands().contains("battery?"));
     assertThat(window.commands()).doesNotContain("takeoff");
   }
 }

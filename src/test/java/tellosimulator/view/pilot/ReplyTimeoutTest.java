@@ -3,7 +3,8 @@ package tellosimulator.view.pilot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import tellosimulator.view.pilot.ReplyTimeout.Clocks;
+import tellosimulator.view.pilot.OperatorClient.ReplyTimeout;
+import tellosimulator.view.pilot.OperatorClient.ReplyTimeout.Clocks;
 
 class ReplyTimeoutTest {
 

@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalRegion;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -18,9 +20,11 @@ import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
 import tellosimulator.world.Arena;
+import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.Poster;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Wind;
@@ -32,9 +36,9 @@ class FloorPlanTest {
           "box 1", new Shape.Box(0.4, 1, 0.5), new Vec3(1, 0, 0), 0, ObstacleAppearance.DEFAULT);
 
   private static final Goal.Reach REACH =
-      new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(1, 0, 1), 0.3));
+      new Goal.Reach(Terms.ANY, new GoalRegion(new Vec3(1, 0, 1), 0.3));
   private static final Goal.Land LAND =
-      new Goal.Land(OptionalInt.empty(), new GoalRegion(new Vec3(0, 1, 0), 0.3));
+      new Goal.Land(Terms.ANY, new GoalRegion(new Vec3(0, 1, 0), 0.3));
 
   private final FloorPlan plan =
       FloorPlans.of(
@@ -59,7 +63,9 @@ class FloorPlanTest {
         .containsExactly(new Pad(1), new Pad(3), new ObstacleItem(0), new Start(1));
   }
 
-  /** The default room reaches from -2.5 to 2.5 m; right is as one sees it who looks at the wall. */
+  /**
+   * The default room extends from -2.5 to 2.5 m; right is from the view of someone facing the wall.
+   */
   @ParameterizedTest
   @CsvSource({
     " 2.4,  1.0, FRONT_WALL, -1.0",
@@ -117,18 +123,45 @@ class FloorPlanTest {
   void aGoalIsAtTheGateOrPadThatItNames() {
     Obstacle near = gate("near", new Vec3(1, 1, 0));
     Obstacle far = gate("far", new Vec3(-2, -2, 0));
-    Goal pass = new Goal.Pass(OptionalInt.empty(), "near", Goal.Direction.ALONG);
-    Goal landOn = new Goal.LandOn(OptionalInt.empty(), 1);
+    Goal pass = new Goal.Pass(Terms.ANY, "near", Goal.Direction.ALONG);
+    Goal landOn = new Goal.LandOn(Terms.ANY, 1);
     FloorPlan asked = plan.with(near).with(far).with(pass).with(landOn);
 
     assertThat(asked.placement(new GoalItem(0)).place()).isEqualTo(near.foot());
     assertThat(asked.placement(new GoalItem(1)).place()).isEqualTo(new Vec3(0.5, -1, 0));
     assertThat(asked.with(new GoalItem(0), new Placement(far.foot(), 0))).isEqualTo(asked);
     assertThat(GoalPlacement.renamed(pass, new Vec3(-1, -1, 0), asked))
-        .isEqualTo(new Goal.Pass(OptionalInt.empty(), "far", Goal.Direction.ALONG));
+        .isEqualTo(new Goal.Pass(Terms.ANY, "far", Goal.Direction.ALONG));
     assertThat(GoalPlacement.renamed(landOn, Vec3.ZERO, asked))
         .as("the other pad hangs at a wall")
         .isEqualTo(landOn);
+  }
+
+  @Test
+  void aGoalIsAtThePosterOrPadToSee() {
+    Poster cat = new Poster(Surface.LEFT_WALL, 1, 1, 0.3, "cat.png");
+    Goal.See see = new Goal.See(Terms.ANY, new Goal.NamedPoster("cat"), 20, 2);
+    FloorPlan asked =
+        plan.in(plan.arena().withDecor(Decor.DEFAULT.withPosters(List.of(cat)))).with(see);
+    FloorPlan taken = asked.in(asked.arena().withDecor(Decor.DEFAULT));
+
+    assertThat(asked.placement(new GoalItem(0)).place().distanceTo(new Vec3(1, 2.5, 1)))
+        .isLessThan(1e-9);
+    assertThat(asked.offers(see)).isTrue();
+    assertThat(taken.offers(see)).isFalse();
+    Goal nearest = GoalPlacement.renamed(see, new Vec3(2, 0.2, 0), asked);
+    assertThat(nearest).isEqualTo(see.of(new Goal.NumberedPad(3)));
+    assertThat(asked.with(nearest).placement(new GoalItem(1)))
+        .isEqualTo(asked.placement(new Pad(3)));
+    assertThat(
+            PlacementProblem.problemWithGoals(
+                asked.with(nearest), asked.with(nearest).without(new Pad(3))))
+        .contains(PlacementProblem.NAMED_BY_GOAL);
+    assertThat(PaletteItem.SEE.adding(asked, Optional.empty()).orElseThrow().plan().goals())
+        .last()
+        .isEqualTo(new Goal.See(Terms.ANY, new Goal.NumberedPad(1)));
+    FloorPlan bare = taken.without(List.of(new Pad(1), new Pad(3)));
+    assertThat(PaletteItem.SEE.adding(bare, Optional.empty())).isEmpty();
   }
 
   private static Obstacle gate(String name, Vec3 foot) {

@@ -12,12 +12,12 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.world.Arena;
 
-/** Plans of rooms with usual drones. */
+/** Floor plans with default drones. */
 final class FloorPlans {
 
   private FloorPlans() {}
 
-  /** One in which nothing is asked for. */
+  /** Returns a plan without goals. */
   static FloorPlan of(Arena arena, List<Pose> starts) {
     Scenario scenario = Scenario.of(SimConfig.DEFAULT.withDrones(SimConfig.alike(starts)));
     List<DroneOrigin> origins = EditedScenario.of(OpenedScenario.once(scenario)).origins();

@@ -7,12 +7,12 @@ import static tellosimulator.view.plan.PlacementProblem.NAMED_BY_GOAL;
 import static tellosimulator.view.plan.PlacementProblem.OUTSIDE;
 
 import java.util.List;
-import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalRegion;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -44,8 +44,8 @@ class PlacementProblemTest {
   }
 
   /**
-   * Half of the table's depth is 20 cm, a drone's radius 8.7 cm. What a file may have outside of
-   * the room for rounding, half a millimetre, is no problem here either.
+   * Half of the table's depth is 20 cm, a drone's radius 8.7 cm. A file may exceed the room by half
+   * a millimetre for rounding, which is no problem here either.
    */
   @ParameterizedTest
   @CsvSource(
@@ -120,12 +120,11 @@ class PlacementProblemTest {
   @Test
   void aGoalStaysInTheRoomAndWhatItNamesStaysThere() {
     Goal outside =
-        new Goal.Reach(
-            OptionalInt.empty(), new GoalRegion(new Vec3(0, 0, Room.DEFAULT.height() + 1), 1));
+        new Goal.Reach(Terms.ANY, new GoalRegion(new Vec3(0, 0, Room.DEFAULT.height() + 1), 1));
     FloorPlan wrong = LAYOUT.with(outside);
     assertThat(PlacementProblem.problem(wrong, new GoalItem(0))).contains(OUTSIDE);
 
-    FloorPlan asked = LAYOUT.with(new Goal.LandOn(OptionalInt.empty(), 1));
+    FloorPlan asked = LAYOUT.with(new Goal.LandOn(Terms.ANY, 1));
     assertThat(PlacementProblem.problemWithGoals(asked, asked.without(new Pad(1))))
         .contains(NAMED_BY_GOAL);
     FloorPlan both = asked.without(List.of(new Pad(1), new GoalItem(0)));
@@ -134,7 +133,7 @@ class PlacementProblemTest {
 
   @Test
   void aDroneStaysThatIsTheLastOneOrHasAGoalOrMaybeAFault() {
-    Goal goal = new Goal.Land(OptionalInt.of(2), new GoalRegion(Vec3.ZERO, 0.3));
+    Goal goal = new Goal.Land(Terms.of(2), new GoalRegion(Vec3.ZERO, 0.3));
     FloorPlan asked = LAYOUT.with(goal);
     List<PlanItem> first = List.of(new Start(1));
     List<PlanItem> second = List.of(new Start(2));

@@ -12,7 +12,7 @@ import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.Shape;
 
-/** Where the plan has numbers: at lines of its grid, and no nearer than they can be read. */
+/** The positions of numbers on the plan: at grid lines, and far enough apart to be readable. */
 class PlanPainterTest {
 
   @ParameterizedTest

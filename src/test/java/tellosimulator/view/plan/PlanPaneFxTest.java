@@ -11,11 +11,11 @@ import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.OptionalInt;
 import java.util.stream.Stream;
 import javafx.geometry.Point2D;
 import javafx.geometry.VerticalDirection;
 import javafx.scene.control.Button;
+import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
@@ -26,8 +26,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.testfx.api.FxRobot;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.GoalMark;
-import tellosimulator.goal.GoalState;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
@@ -215,7 +213,7 @@ class PlanPaneFxTest {
     Vec3 box = obstacles().get(0).foot();
     Vec3 cylinder = obstacles().get(1).foot();
     robot().press(KeyCode.SHIFT).clickOn(at(box)).release(KeyCode.SHIFT);
-    waitUntil(() -> status().startsWith("2 things are selected"));
+    waitUntil(() -> status().startsWith("2 objects are selected"));
 
     robot().type(KeyCode.DOWN, 2);
     assertThat(obstacles().get(0).foot().x()).isCloseTo(box.x() - 0.1, within(1e-9));
@@ -288,10 +286,26 @@ class PlanPaneFxTest {
     assertThat(goals()).extracting(Goal::task).hasToString("[fly through gate ring 1]");
     assertThat(obstacles()).extracting(Obstacle::foot).containsExactly(ring, frame);
     robot().clickOn(at(ring.plus(new Vec3(0, 0.3, 0)))).type(KeyCode.DELETE);
-    assertThat(status()).startsWith("A goal names this");
+    assertThat(status()).startsWith("A goal refers to this");
   }
 
-  /** Nobody opens another simulation for the pane of this test. */
+  @Test
+  void aGoalToSeeNamesAPadAndHasASizeAndATime() {
+    robot().clickOn("#plan-add-pad");
+    addGoal("see");
+
+    type("property-size", "25");
+    type("property-seconds", "3");
+
+    waitUntil(() -> goals().get(0).lasting() == 3);
+    assertThat(goals())
+        .extracting(Goal::task)
+        .hasToString("[see mission pad 1 for 3.0 s, at least 25% of the picture's width]");
+    ComboBox<?> target = window.find("property-target", ComboBox.class);
+    assertThat(target.getButtonCell().getText()).isEqualTo("mission pad 1");
+  }
+
+  /** This test's pane has no application that could open another simulation. */
   @Test
   void aDroneThatCannotBeAddedIsNotSelected() {
     robot().clickOn("#plan-add-box");
@@ -303,20 +317,6 @@ class PlanPaneFxTest {
     control(KeyCode.Z);
     control(KeyCode.Z);
     assertThat(obstacles()).isEmpty();
-  }
-
-  @Test
-  void numbersOfGoalsAtTheEdgeAreSeenWhole() {
-    PlanViewport scale = PlanViewport.whole(Room.DEFAULT, 400, 400).zoomed(3, 200, 200);
-    Vec3 front = new Vec3(2.4, 0, 1);
-    GoalMark mark =
-        new GoalMark(1, OptionalInt.empty(), GoalState.ACTIVE, new GoalMark.Ball(front, 0.3));
-
-    Point2D tag = MarkPainter.tags(List.of(mark), scale).get(0);
-
-    assertThat(scale.screenY(front)).as("above the picture").isNegative();
-    assertThat(tag.getY()).as("with half its height and its rim").isGreaterThanOrEqualTo(9);
-    assertThat(MarkPainter.tagged(List.of(mark), scale, tag.getX(), tag.getY())).contains(mark);
   }
 
   @Test
@@ -339,7 +339,9 @@ class PlanPaneFxTest {
     assertThat(window.find("plan-legend", Label.class).getText()).isEqualTo("Start of a drone");
   }
 
-  /** Whether the drone's colour is left, right and behind its start, outside of the circle. */
+  /**
+   * Whether the drone's colour is found left, right and behind its start, outside of the circle.
+   */
   private boolean ringed(int drone) {
     return onFxThread(
         () -> {
@@ -428,7 +430,7 @@ class PlanPaneFxTest {
     robot().drag(at(from)).moveTo(at(from.plus(to).times(0.5))).dropTo(at(to));
   }
 
-  /** Where a place of the floor is on the screen. */
+  /** Returns the position of a place of the floor on the screen. */
   private Point2D at(Vec3 place) {
     return onFxThread(
         () -> {

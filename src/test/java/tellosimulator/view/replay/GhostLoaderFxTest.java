@@ -27,7 +27,7 @@ import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.testing.CapturedLog;
 import tellosimulator.view.text.Language;
 
-/** Recordings whose reading ends when the test says so. */
+/** Loading of recordings, whose reading is completed by the test. */
 class GhostLoaderFxTest {
 
   private static final Path SLOW = Path.of("slow");
@@ -85,6 +85,7 @@ class GhostLoaderFxTest {
 
   @Test
   void theSameCommandsFlownAgainAreAGhost() throws IOException {
+    Files.delete(flight.folder().resolve("events.jsonl"));
     Files.writeString(
         flight.folder().resolve("wire.jsonl"),
         """
@@ -102,7 +103,8 @@ class GhostLoaderFxTest {
   }
 
   @Test
-  void whatCannotBeFlownAgainIsASentence() {
+  void whatCannotBeFlownAgainIsASentence() throws IOException {
+    Files.delete(flight.folder().resolve("events.jsonl"));
     run(ghosts::flyAgain);
 
     waitUntil(() -> news().contains("not flown again"));
@@ -152,7 +154,7 @@ class GhostLoaderFxTest {
     WaitForAsyncUtils.waitForAsyncFx(60_000, what);
   }
 
-  /** Ends a reading, and waits until the window has taken what came of it. */
+  /** Completes a reading, and waits until the window has received the result. */
   private void finish(Path wanted, Supplier<ReplayFlight> result) throws InterruptedException {
     results.get(wanted).add(result);
     waitUntil(() -> readers.containsKey(wanted));

@@ -59,7 +59,7 @@ class ReplayWindowDisplayTest {
     ReplayFlight ghost = ReplayFlight.read(early);
     onFxThread(
         () -> {
-          stage = new Stage(StageStyle.UNDECORATED); // or some window managers shrink it at first
+          stage = new Stage(StageStyle.UNDECORATED); // window managers may shrink others
           window =
               new ReplayWindow(
                   stage,
@@ -93,7 +93,7 @@ class ReplayWindowDisplayTest {
     waitUntil(() -> moment().getValue() > 1.5);
     robot.press(KeyCode.SPACE).release(KeyCode.SPACE);
 
-    robot.clickOn("#moment"); // its middle: 1 s after the drone flew off, when its ghost stood
+    robot.clickOn("#moment"); // 1 s after the drone moved off, when its ghost stood still
     waitUntil(() -> Math.abs(moment().getValue() - 8) < 0.5);
     robot.press(KeyCode.SHIFT, KeyCode.RIGHT).release(KeyCode.RIGHT, KeyCode.SHIFT);
     waitUntil(() -> text("distance").matches("The ghost is \\d+ cm away"));
@@ -118,7 +118,7 @@ class ReplayWindowDisplayTest {
         });
 
     assertThat(text("ghost-name")).isEmpty();
-    waitUntil(() -> purplePixels() < 10); // smooth edges mix a pixel or two of that colour
+    waitUntil(() -> purplePixels() < 10); // anti-aliasing produces a pixel or two of that colour
   }
 
   @Test
@@ -163,7 +163,7 @@ class ReplayWindowDisplayTest {
     return robot.lookup("#" + id).queryAs(Labeled.class).getText();
   }
 
-  /** How many pixels of the room have the colour of ghosts. */
+  /** Returns the number of pixels of the room in the colour of ghosts. */
   private int purplePixels() {
     PixelReader pixels = stage.getScene().snapshot(null).getPixelReader();
     Node scene = robot.lookup("#scene-3d").query();

@@ -33,7 +33,7 @@ import tellosimulator.view.replay.ReplayWindow.Appearance;
 import tellosimulator.view.testing.QuickRobot;
 import tellosimulator.view.text.Language;
 
-/** The player on a recording from 1 to 15 s: takeoff at 4 s, 100 cm forward from 8 s on. */
+/** The player with a recording from 1 to 15 s: takeoff at 4 s, 100 cm forward from 8 s on. */
 class ReplayWindowFxTest {
 
   @TempDir private Path folder;
@@ -120,7 +120,7 @@ class ReplayWindowFxTest {
 
   @Test
   void theDroneIsWhereItWasAndItsGhostIsAsFarAwayAsItWasThen() throws Exception {
-    seek(9); // 1 s after it began to fly 50 cm/s from -100 cm
+    seek(9); // 1 s after it started to fly 50 cm/s from -100 cm
     waitUntil(() -> label("place").equals("x -50, y 50, z 80 cm"));
 
     Path late = folder.resolve("late");
@@ -132,7 +132,7 @@ class ReplayWindowFxTest {
           return window;
         });
 
-    // the same moment after its takeoff is at 8 s, when it had not moved yet
+    // the same time after its takeoff is 8 s, when it had not moved yet
     waitUntil(() -> label("distance").equals("The ghost is 50 cm away"));
     assertThat(label("ghost-name")).isEqualTo("Ghost: late");
   }
@@ -150,7 +150,7 @@ class ReplayWindowFxTest {
     assertThat(droneCamera()).as("straight down").isNotEqualTo(usual);
   }
 
-  /** The picture of the drone's camera at the beginning. */
+  /** Returns the first picture of the drone's camera. */
   private int[] droneCamera() {
     type(KeyCode.F6);
     ImageView inset = robot.lookup("#inset-picture").queryAs(ImageView.class);

@@ -4,10 +4,8 @@ import static tellosimulator.view.testing.WindowFixture.onFxThread;
 import static tellosimulator.view.testing.WindowFixture.settle;
 
 import java.lang.reflect.Method;
-import java.util.List;
 import java.util.concurrent.TimeoutException;
 import javafx.stage.Stage;
-import javafx.stage.Window;
 import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
@@ -45,7 +43,7 @@ public final class StageExtension
   public void afterEach(ExtensionContext test) {
     onFxThread(
         () -> {
-          List.copyOf(Window.getWindows()).forEach(Window::hide);
+          WindowFixture.closeWindows();
           return true;
         });
     WaitForAsyncUtils.clearExceptions();

@@ -17,6 +17,7 @@ import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.stage.Stage;
+import javafx.stage.Window;
 import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
@@ -96,12 +97,12 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
     onFxThread(
         () -> {
           Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
-          context = ViewContext.of(simulation, new Language(Locale.ENGLISH), video);
+          context = ViewContexts.of(simulation, new Language(Locale.ENGLISH), video);
           view = viewMaker.apply(context);
           stage = new Stage();
           stage.setScene(new Scene(view));
           stage.show();
-          context.pulse().start();
+          context.ticker().start();
           return view;
         });
     settle();
@@ -112,13 +113,24 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
     onFxThread(
         () -> {
           context.actions().close();
-          context.pulse().stop();
-          stage.close();
+          context.ticker().stop();
+          closeWindows();
           return stage;
         });
     video.close();
     simulation.close();
     WaitForAsyncUtils.clearExceptions();
+  }
+
+  /**
+   * Closes all windows. None keeps a text field with the focus, whose caret would blink, and cause
+   * frames in the tests that follow, until it is garbage. For the JavaFX thread.
+   */
+  public static void closeWindows() {
+    for (Window window : List.copyOf(Window.getWindows())) {
+      window.getScene().getRoot().requestFocus();
+      window.hide();
+    }
   }
 
   /** What the view was built with. */

@@ -35,7 +35,7 @@ class WindowFixtureFxTest {
   }
 
   private VBox build(ViewContext context) {
-    context.pulse().onBeat(nanos -> beats.incrementAndGet());
+    context.ticker().onTick(nanos -> beats.incrementAndGet());
     Button button = new Button("On");
     button.setId("switch-on");
     button.setOnAction(

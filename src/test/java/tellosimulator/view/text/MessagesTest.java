@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The texts of the window have places for values as phrases of the core have them. */
+/** The texts of the window have format specifiers like the phrases of the core. */
 class MessagesTest {
 
   private static final Path RESOURCES = Path.of("src/main/resources/tellosimulator");
@@ -42,7 +42,9 @@ class MessagesTest {
     }
   }
 
-  /** No number in braces, no doubled quotation mark, and no percent sign that is half a place. */
+  /**
+   * There is no number in braces, no doubled quotation mark, and no incomplete format specifier.
+   */
   @ParameterizedTest
   @MethodSource("english")
   void placesAreWrittenAsPhrasesHaveThem(Path file) throws IOException {
@@ -59,7 +61,7 @@ class MessagesTest {
     }
   }
 
-  /** The values that a text shows, by their numbers, and how: {@code 1s}. */
+  /** Returns the format specifiers of a text, such as {@code 1s}. */
   private static Set<String> places(String text) {
     Set<String> places = new TreeSet<>();
     Matcher matcher = PLACE.matcher(text);

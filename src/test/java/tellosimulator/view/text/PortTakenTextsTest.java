@@ -10,7 +10,7 @@ import tellosimulator.translation.PhraseCatalog;
 import tellosimulator.view.log.LogQueue;
 import tellosimulator.view.pilot.DemoFlight;
 
-/** Why a drone stays off is said wherever somebody tries to switch it on. */
+/** The reasons why a drone stays off have texts in every place that switches drones on. */
 class PortTakenTextsTest {
 
   @ParameterizedTest

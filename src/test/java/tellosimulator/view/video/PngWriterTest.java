@@ -44,7 +44,7 @@ class PngWriterTest {
     assertThat(Files.readString(precious)).isEqualTo("x");
   }
 
-  /** What compresses worst. */
+  /** Returns random samples, which compress worst. */
   private static Picture noise(int width, int height) {
     Picture picture = new Picture(width, height);
     Random random = new Random(7);

@@ -59,7 +59,7 @@ class TripleBufferTest {
     writer.start();
     int taken = 0;
     while (writer.isAlive() || taken == 0) {
-      Optional<TripleBuffer.Kept> now = newest.take();
+      Optional<TripleBuffer.BufferedPicture> now = newest.take();
       if (now.isPresent()) {
         byte[] luma = now.get().picture().y();
         assertThat(luma).containsOnly(luma[0]);

@@ -40,8 +40,7 @@ class VideoViewFxTest {
     SimConfig two =
         SimConfig.DEFAULT.withRoom(
             Room.DEFAULT, List.of(START, new Pose(new Vec3(0, 1, 0), Attitude.LEVEL)));
-    SimSnapshot snapshot =
-        new Simulation(two, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
+    SimSnapshot snapshot = new Simulation(two, drone -> datagram -> {}, List.of()).snapshot();
     streams = new VideoStreams(() -> snapshot, () -> this::film, H264Encoder::new);
     view =
         onFxThread(
@@ -57,7 +56,7 @@ class VideoViewFxTest {
     streams.close();
   }
 
-  /** The first drone sees grey, the second one blue. */
+  /** Renders grey for the first drone, and blue for the second one. */
   private void film(SimSnapshot snapshot, CameraId shot, Picture picture) {
     Arrays.fill(picture.y(), (byte) brightness.get());
     Arrays.fill(picture.u(), (byte) (shot.drone() == 1 ? 128 : 240));
@@ -113,7 +112,7 @@ class VideoViewFxTest {
     assertThat(onFxThread(() -> view.figuresProperty().get())).isEqualTo(VideoFigures.NONE);
   }
 
-  /** The colour in the middle; 0 while there is no picture. */
+  /** Returns the colour in the middle; 0 while there is no picture. */
   private int color() {
     view.advance();
     Image image = view.getImage();

@@ -10,7 +10,7 @@ import tellosimulator.video.picture.Picture;
 
 class YuvConverterTest {
 
-  /** Documented: the colour bars of ITU-R BT.601 at full strength, and what is beyond. */
+  /** Documented: the colour bars of ITU-R BT.601 at full strength, and values beyond. */
   @ParameterizedTest
   @CsvSource(
       textBlock =

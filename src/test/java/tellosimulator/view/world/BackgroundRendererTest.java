@@ -29,8 +29,7 @@ class BackgroundRendererTest {
   private final SimSnapshot snapshot =
       new Simulation(
               SimConfig.DEFAULT.withDecor(Decor.DEFAULT.withWalls(Walls.PLAIN)),
-              drone -> (peer, text) -> {},
-              report -> {},
+              drone -> datagram -> {},
               List.of())
           .snapshot();
   private final SceneBuilder scenes = new SceneBuilder();
@@ -66,7 +65,11 @@ class BackgroundRendererTest {
     assertThat(rendered(snapshot, 0)).isPresent();
     SimSnapshot later =
         new SimSnapshot(
-            new SimTime(9_000_000_000L), snapshot.clock(), snapshot.arena(), snapshot.drones());
+            new SimTime(9_000_000_000L),
+            snapshot.clock(),
+            snapshot.seed(),
+            snapshot.arena(),
+            snapshot.drones());
 
     assertThat(rendered(later, 0)).isEmpty();
     assertThat(renderer.settled()).isTrue();
@@ -90,7 +93,7 @@ class BackgroundRendererTest {
 
   @Test
   void aPictureForWhichMemoryIsNotEnoughCostsThatPictureAlone() throws InterruptedException {
-    // 41706 x 51491 = 2^31 - 2: more elements than any array of the Java machine may have
+    // 41706 x 51491 = 2^31 - 2: more elements than the JVM allows in an array
     PinholeCamera huge =
         new PinholeCamera(
             new Pose(Vec3.ZERO, Attitude.LEVEL),
@@ -117,7 +120,7 @@ class BackgroundRendererTest {
     return taken;
   }
 
-  /** Looks ahead from the middle of the room or from behind it. */
+  /** A camera in the middle of the room or behind it, looking ahead. */
   private static PinholeCamera camera(double x) {
     return new PinholeCamera(
         new Pose(new Vec3(x, 0, 1), Attitude.LEVEL),

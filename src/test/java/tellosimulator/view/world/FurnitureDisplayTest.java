@@ -56,7 +56,7 @@ class FurnitureDisplayTest {
 
     assertThat(left.count()).isGreaterThan(1000);
     assertThat(left.x()).isLessThan(WIDTH / 2.0);
-    // the window's button hides some of it
+    // a button of the window hides some pixels
     assertThat(right.count()).isCloseTo(left.count(), within(1500));
     assertThat(right.x()).isGreaterThan(WIDTH / 2.0);
     assertThat(gone.count()).isZero();
@@ -108,7 +108,7 @@ class FurnitureDisplayTest {
     fixture.furnish(arena -> arena.withRoom(new Room(5, 3.5, 3)));
     GoalRegion near = find(fixture.settledPicture(), FurnitureDisplayTest::isBlack);
 
-    // At first it is 2.5 + 0.6 m away, then 1.75 + 0.6 m: 1.7 times as large, and less blurred.
+    // The distance is first 2.5 + 0.6 m, then 1.75 + 0.6 m: 1.7 times as large, and less blurred.
     assertThat(far.count()).isGreaterThan(100);
     assertThat(near.count()).isBetween((int) (1.4 * far.count()), 3 * far.count());
     assertThat(near.x()).isBetween(WIDTH * 0.45, WIDTH * 0.55);

@@ -6,20 +6,20 @@ import static tellosimulator.view.world.SceneFixture.HEIGHT;
 import static tellosimulator.view.world.SceneFixture.WIDTH;
 import static tellosimulator.view.world.SceneFixture.find;
 
-import java.util.OptionalInt;
 import java.util.function.Supplier;
 import javafx.geometry.Point2D;
 import javafx.scene.image.Image;
 import javafx.scene.paint.Color;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalRegion;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.scenery.overlay.ContactMark;
+import tellosimulator.scenery.overlay.ContactDecal;
 
-/** What must be seen of goals and contacts, whatever draws the window's scene. */
+/** Checks of goals and contacts that apply to each renderer of the window's scene. */
 final class OverlayPictures {
 
   private OverlayPictures() {}
@@ -29,11 +29,11 @@ final class OverlayPictures {
     fixture.change(() -> fixture.scene().camera().look(RoomView.CHASE));
     Vec3 place = new Vec3(1, -0.4, 1.1);
     Image before = picture.get();
-    fixture.ask(new Goal.Reach(OptionalInt.empty(), new GoalRegion(place, 0.3)));
+    fixture.ask(new Goal.Reach(Terms.ANY, new GoalRegion(place, 0.3)));
     Image after = picture.get();
 
     Point2D middle = seen(fixture, place);
-    Point2D outside = seen(fixture, place.minus(new Vec3(0, 0.4, 0))); // not on its plumb line
+    Point2D outside = seen(fixture, place.minus(new Vec3(0, 0.4, 0))); // not on its drop line
     assertThat(blueness(after, middle)).isGreaterThan(blueness(before, middle) + 0.1);
     assertThat(blueness(after, outside)).isCloseTo(blueness(before, outside), within(0.02));
     int shown = find(after, OverlayPictures::isBlue).count();
@@ -47,9 +47,9 @@ final class OverlayPictures {
 
   static void assertTouchIsRed(SceneFixture fixture, Supplier<Image> picture) {
     fixture.put(new Pose(new Vec3(0, 0, 1), Attitude.LEVEL), FlightPhase.FLYING);
-    fixture.mark(new ContactMark(1, new Vec3(0.4, 0.4, 1), false));
+    fixture.mark(new ContactDecal(1, new Vec3(0.4, 0.4, 1), false));
     int touch = find(picture.get(), OverlayPictures::isRed).count();
-    fixture.mark(new ContactMark(1, new Vec3(0.4, 0.4, 1), true));
+    fixture.mark(new ContactDecal(1, new Vec3(0.4, 0.4, 1), true));
     int crash = find(picture.get(), OverlayPictures::isRed).count();
     fixture.mark();
 
@@ -71,7 +71,7 @@ final class OverlayPictures {
     return color.getRed() > 0.6 && color.getGreen() < 0.4 && color.getBlue() < 0.4;
   }
 
-  /** Of the pixels around a place of a picture. */
+  /** Mean blueness of the pixels around a place of an image. */
   private static double blueness(Image picture, Point2D place) {
     double sum = 0;
     for (int i = -4; i <= 4; i++) {

@@ -46,11 +46,11 @@ import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Walls;
 
-/** Whether window and software camera show a thing at the same pixel. */
+/** Compares the pixels at which the window and the software camera show an object. */
 @NeedsDisplay
 class SameWorldDisplayTest {
 
-  /** The second drone, which is orange, stands 0.9 m ahead of the first one, a little aside. */
+  /** The second drone is orange and stands 0.9 m ahead of the first one, a little to the side. */
   private static final List<Pose> STARTS =
       List.of(
           Formation.row(1, Vec3.ZERO, Room.DEFAULT).get(0),
@@ -82,7 +82,7 @@ class SameWorldDisplayTest {
       Image window = fixture.settledPicture();
       Image drawn = drawn();
 
-      // pictures of half the camera's width: within one pixel is within two of the camera's
+      // images of half the camera's width: within one pixel is within two of the camera's
       assertSame(window, drawn, color -> isLike(color, Color.MAGENTA));
       assertSame(window, drawn, color -> isLike(color, Color.LIME));
       assertSame(window, drawn, color -> isLike(color, Color.CYAN));
@@ -124,7 +124,7 @@ class SameWorldDisplayTest {
         .isCloseTo(expected, within(0.1 * expected + 10));
   }
 
-  /** But perhaps not as sharp. */
+  /** The sharpness may differ. */
   private static void assertSamePlace(Image window, Image drawn, Predicate<Color> wanted) {
     GoalRegion expected = find(window, wanted);
     GoalRegion found = find(drawn, wanted);
@@ -133,7 +133,7 @@ class SameWorldDisplayTest {
     assertThat(found.y()).isCloseTo(expected.y(), within(1.0));
   }
 
-  /** What the software camera sees from the first drone. */
+  /** Renders the view of the first drone's software camera. */
   private Image drawn() {
     SoftwareCamera camera = new SoftwareCamera(new RenderCache(ColorSpace.RGB));
     FrameBuffer frameBuffer = FrameBuffer.forScreen(WIDTH, HEIGHT);
@@ -175,32 +175,32 @@ class SameWorldDisplayTest {
         && Math.abs(color.getBlue() - wanted.getBlue()) < 0.25;
   }
 
-  /** Without the window's buttons. */
+  /** Crops the image to the half without the window's buttons. */
   private static Image lowerHalf(Image picture) {
     return new WritableImage(picture.getPixelReader(), 0, HEIGHT / 2, WIDTH, HEIGHT / 2);
   }
 
-  /** As only the box is, in light and in shade. */
+  /** Matches only the box, in light and in shade. */
   private static boolean isRed(Color color) {
     return color.getRed() > 0.4 && color.getGreen() < 0.1 && color.getBlue() < 0.1;
   }
 
-  /** As only the cylinder is, in light and in shade. */
+  /** Matches only the cylinder, in light and in shade. */
   private static boolean isGreen(Color color) {
     return color.getGreen() > 0.4 && color.getRed() < 0.1 && color.getBlue() < 0.1;
   }
 
-  /** As only the ring is, in light and in shade. */
+  /** Matches only the ring, in light and in shade. */
   private static boolean isBlue(Color color) {
     return color.getBlue() > 0.4 && color.getRed() < 0.1 && color.getGreen() < 0.1;
   }
 
-  /** As only what pads are printed on is. */
+  /** Matches only the paper of mission pads. */
   private static boolean isPaper(Color color) {
     return color.getBrightness() > 0.88 && color.getSaturation() < 0.1;
   }
 
-  /** As only the second drone's cover and its start mark are. */
+  /** Matches only the second drone's cover and its start mark. */
   private static boolean isOrange(Color color) {
     return color.getRed() > 0.5 && color.getRed() > 1.6 * color.getBlue();
   }

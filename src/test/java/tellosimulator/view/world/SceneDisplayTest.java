@@ -19,7 +19,7 @@ import tellosimulator.view.testing.NeedsDisplay;
 import tellosimulator.view.world.SceneFixture.GoalRegion;
 import tellosimulator.world.Walls;
 
-/** What one sees in the 3D scene. */
+/** The visible content of the 3D scene. */
 @NeedsDisplay
 class SceneDisplayTest {
 
@@ -163,7 +163,7 @@ class SceneDisplayTest {
     fly(new Vec3(0, 0, 1));
     Image ahead = fixture.insetPicture();
 
-    // floor and front wall, and nothing of the drone itself
+    // floor and front wall, and no part of the drone itself
     assertThat(ahead.getWidth()).isEqualTo(480);
     assertThat(find(ahead, SceneDisplayTest::isDark).count()).isZero();
     assertThat(brightness(ahead, 240, 30, 5)).isGreaterThan(0.7);
@@ -196,7 +196,7 @@ class SceneDisplayTest {
     assertThat(aheadWhenHeading(180)).as("tiles behind").matches(SceneDisplayTest::isBluish);
   }
 
-  /** The mean colour of the upper half of what the drone's camera sees. */
+  /** The mean colour of the upper half of the drone camera's view. */
   private Color aheadWhenHeading(double degrees) {
     Attitude attitude = Attitude.ofHeading(Math.toRadians(degrees));
     fixture.put(new Pose(new Vec3(0, 0, 1.2), attitude), FlightPhase.FLYING);
@@ -242,7 +242,7 @@ class SceneDisplayTest {
     fixture.put(new Pose(position, Attitude.LEVEL), FlightPhase.FLYING);
   }
 
-  /** The skirting board in a column of the picture. */
+  /** Finds the skirting board in a column of the image. */
   private static GoalRegion skirting(Image picture, int column) {
     int count = 0;
     double y = 0;
@@ -256,17 +256,17 @@ class SceneDisplayTest {
     return new GoalRegion(count, column, y / count);
   }
 
-  /** As only a drone is. */
+  /** Matches only a drone's body. */
   private static boolean isDark(Color color) {
     return color.getBrightness() < 0.25;
   }
 
-  /** As only the glass of the lens is. */
+  /** Matches only the glass of the lens. */
   private static boolean isLens(Color color) {
     return color.getBlue() > 1.5 * color.getRed() && color.getBrightness() < 0.5;
   }
 
-  /** As only what belongs to the first drone is. */
+  /** Matches only what belongs to the first drone. */
   private static boolean isBlue(Color color) {
     return color.getBlue() > 0.5 && color.getBlue() > 2 * color.getRed();
   }

@@ -36,17 +36,17 @@ import tellosimulator.math.Pose;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.model.Motion;
-import tellosimulator.scenery.overlay.ContactMark;
+import tellosimulator.scenery.overlay.ContactDecal;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.time.SimTime;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.model.FxMarks;
+import tellosimulator.view.model.FxOverlayItems;
 import tellosimulator.view.model.FxSimulation;
-import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.SceneContext;
+import tellosimulator.view.model.UiTicker;
 import tellosimulator.view.testing.WindowFixture;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
@@ -56,8 +56,8 @@ import tellosimulator.world.Decor;
 import tellosimulator.world.Walls;
 
 /**
- * The 3D scene of a plain room on snapshots that a test makes by hand: where the drone is and how
- * much time passes is up to the test, so that a picture is always the same.
+ * The 3D scene of a plain room, with snapshots that are created by the test: the drone's position
+ * and the passing of time are under the test's control, so that each image is reproducible.
  */
 public final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
 
@@ -68,11 +68,11 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
   private final SimConfig config;
   private volatile SimSnapshot snapshot;
   private volatile Progress progress;
-  private volatile List<ContactMark> contacts = List.of();
+  private volatile List<ContactDecal> contacts = List.of();
   private FxSimulation simulation;
   private WindowVideo video;
   private Language language;
-  private Pulse pulse;
+  private UiTicker ticker;
   private Simulator3DScene scene;
   private Stage stage;
   private long nanos;
@@ -88,8 +88,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
   @Override
   public void beforeEach(ExtensionContext test) throws TimeoutException {
     FxToolkit.registerPrimaryStage();
-    snapshot =
-        new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
+    snapshot = new Simulation(config, drone -> datagram -> {}, List.of()).snapshot();
     ask();
     video = new WindowVideo(() -> snapshot, DroneOptics.DEFAULT, MediaFolder.ofUser());
     onFxThread(
@@ -97,23 +96,23 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
           Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
           simulation = new FxSimulation(snapshot);
           language = new Language(Locale.ENGLISH);
-          pulse = new Pulse(() -> simulation.update(snapshot), simulation::still);
+          ticker = new UiTicker(() -> simulation.update(snapshot), simulation::still);
           scene =
               new Simulator3DScene(
                   new SceneContext(
                       simulation,
                       language,
-                      pulse,
+                      ticker,
                       video,
-                      new FxMarks(() -> progress, () -> contacts)));
+                      new FxOverlayItems(() -> progress, () -> contacts)));
           scene.setPrefSize(WIDTH, HEIGHT);
-          scene.antialiasingProperty().set(false); // a pixel has one colour, which tests look for
+          scene.antialiasingProperty().set(false); // tests look for single colours
           stage = new Stage(StageStyle.UNDECORATED);
           stage.setScene(new Scene(scene, WIDTH, HEIGHT));
           stage.setWidth(WIDTH);
           stage.setHeight(HEIGHT);
           stage.show();
-          scene.requestFocus(); // or a button would have it, in the colour of the first drone
+          scene.requestFocus(); // a focused button has the first drone's colour
           return scene;
         });
     waitUntil(() -> scene.getWidth() == WIDTH && scene.getHeight() == HEIGHT);
@@ -135,12 +134,12 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     return scene;
   }
 
-  /** What the drones film. */
+  /** The drones' video. */
   public WindowVideo video() {
     return video;
   }
 
-  /** What the scene shows at the next beat. */
+  /** The snapshot for the next tick. */
   public SimSnapshot snapshot() {
     return snapshot;
   }
@@ -153,7 +152,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     return language;
   }
 
-  /** Something in the 3D scene. */
+  /** Returns a node of the 3D scene. */
   Node solid(String id) {
     Node found = ((SubScene) scene.lookup("#sub-scene")).getRoot().lookup("#" + id);
     if (found == null) {
@@ -162,7 +161,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     return found;
   }
 
-  /** Does something with the scene on the JavaFX thread. */
+  /** Runs an action on the JavaFX thread. */
   void change(Runnable what) {
     onFxThread(
         () -> {
@@ -172,7 +171,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     WindowFixture.settle();
   }
 
-  /** Puts the first drone somewhere; the next beat shows it. */
+  /** Moves the first drone; visible at the next tick. */
   public void put(Pose pose, FlightPhase phase) {
     DroneSnapshot old = snapshot.drones().get(0);
     DroneState was = old.state();
@@ -189,10 +188,10 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     List<DroneSnapshot> drones = new ArrayList<>(snapshot.drones());
     drones.set(0, old.withState(now));
     SimTime time = snapshot.time();
-    snapshot = new SimSnapshot(time, snapshot.clock(), snapshot.arena(), drones);
+    snapshot = new SimSnapshot(time, snapshot.clock(), snapshot.seed(), snapshot.arena(), drones);
   }
 
-  /** Lets faults act on the first drone; the next beat shows it. */
+  /** Sets the active faults of the first drone; visible at the next tick. */
   void disturb(Fault... faults) {
     List<DroneSnapshot> drones = new ArrayList<>(snapshot.drones());
     DroneSnapshot old = drones.get(0);
@@ -203,92 +202,96 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     snapshot = snapshot.withDrones(drones);
   }
 
-  /** Asks for goals in any order; the next beat shows them. */
+  /** Sets goals without an order; visible at the next tick. */
   void ask(Goal... goals) {
     List<OptionalDouble> none = Stream.of(goals).map(goal -> OptionalDouble.empty()).toList();
     Challenge challenge = new Challenge(List.of(goals), false, OptionalDouble.empty(), false);
     progress = new Progress(challenge, none, 0, Optional.empty());
   }
 
-  /** Has the first of the goals reached; the next beat shows it. */
+  /** Marks the first goal as reached; visible at the next tick. */
   void reachFirst() {
     List<OptionalDouble> reached = new ArrayList<>(progress.reached());
     reached.set(0, OptionalDouble.of(1));
     progress = new Progress(progress.challenge(), reached, 1, Optional.empty());
   }
 
-  /** Marks where drones touched something; the next beat shows it. */
-  void mark(ContactMark... marks) {
+  /** Sets the contacts; visible at the next tick. */
+  void mark(ContactDecal... marks) {
     contacts = List.of(marks);
   }
 
-  /** Changes the looks of the room; the next beat shows it. */
+  /** Changes the room's decor; visible at the next tick. */
   public void decorate(UnaryOperator<Decor> change) {
     furnish(arena -> arena.withDecor(change.apply(arena.decor())));
   }
 
-  /** Changes what is in the room; the next beat shows it. */
+  /** Changes the content of the room; visible at the next tick. */
   public void furnish(UnaryOperator<Arena> change) {
     snapshot =
         new SimSnapshot(
-            snapshot.time(), snapshot.clock(), change.apply(snapshot.arena()), snapshot.drones());
+            snapshot.time(),
+            snapshot.clock(),
+            snapshot.seed(),
+            change.apply(snapshot.arena()),
+            snapshot.drones());
   }
 
-  /** Lets time pass in the window and shows what is then. */
+  /** Advances the window's time and renders the result. */
   public void pass(double seconds) {
     nanos += Math.round(seconds * 1e9);
     onFxThread(
         () -> {
-          pulse.beat(nanos);
+          ticker.tick(nanos);
           scene.applyCss();
           scene.layout();
           return true;
         });
   }
 
-  /** Lets the camera follow the selected drone, from nearby. */
+  /** Makes the camera follow the selected drone, from nearby. */
   void follow() {
     change(() -> scene.camera().followingProperty().set(true));
     settle();
   }
 
-  /** Looks from a side, and waits until the camera is there. */
+  /** Selects a view, and waits until the camera is there. */
   void look(RoomView view) {
     change(() -> scene.look(view));
     settle();
   }
 
-  /** Lets the camera come to rest. */
+  /** Waits until the camera rests. */
   void settle() {
     for (int i = 0; i < 20; i++) {
       pass(0.25);
     }
   }
 
-  /** What the window shows, with all cameras at rest. */
+  /** Renders the window with all cameras at rest. */
   Image settledPicture() {
     settle();
     return picture();
   }
 
-  /** What the window shows where there is no 3D, with all cameras at rest. */
+  /** Renders the window without 3D support, with all cameras at rest. */
   Image softwarePicture() {
     settledPicture();
     waitUntil(
         () -> {
           nanos += 50_000_000;
-          pulse.beat(nanos);
+          ticker.tick(nanos);
           return ((SoftwareSceneView) scene.view()).settled();
         });
     return picture();
   }
 
-  /** What the window shows. */
+  /** Renders the window. */
   Image picture() {
     return onFxThread(() -> stage.getScene().snapshot(null));
   }
 
-  /** The next picture in the inset, which is shown for it. */
+  /** Shows the inset and returns its next picture. */
   Image insetPicture() {
     ImageView inset = (ImageView) scene.lookup("#inset-picture");
     change(() -> scene.insetVisibleProperty().set(false));
@@ -296,13 +299,13 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     waitUntil(
         () -> {
           nanos += 1_000_000;
-          pulse.beat(nanos);
+          ticker.tick(nanos);
           return inset.getImage() != null;
         });
     return inset.getImage();
   }
 
-  /** Mean brightness of a square of a picture around a pixel, 0 to 1. */
+  /** Returns the mean brightness of a square around a pixel, 0 to 1. */
   static double brightness(Image picture, int x, int y, int half) {
     double sum = 0;
     for (int i = -half; i <= half; i++) {
@@ -313,10 +316,10 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     return sum / ((2 * half + 1) * (2 * half + 1));
   }
 
-  /** Pixels of a kind: how many, and their middle. */
+  /** The number of matching pixels, and their middle. */
   record GoalRegion(int count, double x, double y) {}
 
-  /** The pixels that a colour is like. */
+  /** Finds the pixels whose colour matches. */
   static GoalRegion find(Image picture, Predicate<Color> wanted) {
     int count = 0;
     double x = 0;

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Comparator;
 import java.util.List;
-import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicInteger;
 import javafx.css.PseudoClass;
 import javafx.event.Event;
@@ -25,6 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import tellosimulator.fault.Fault;
 import tellosimulator.goal.Goal;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -44,7 +44,7 @@ class Simulator3DSceneFxTest {
 
   private static final Comparator<Color> BY_IDENTITY = (one, other) -> one == other ? 0 : 1;
 
-  /** Which keys are down. */
+  /** The modifier keys that are pressed. */
   private enum Keys {
     NONE,
     CTRL,
@@ -118,7 +118,7 @@ class Simulator3DSceneFxTest {
     assertThat(fixture.scene().viewCameraProperty().get()).isEqualTo(ViewCamera.DRONE);
   }
 
-  /** A light that is set lets the toolkit draw the whole room anew. */
+  /** Setting a light makes JavaFX redraw the whole room. */
   @Test
   void lightsAreSetOnlyWhenTheyChange() {
     SceneNodes nodes = new SceneNodes();
@@ -143,7 +143,7 @@ class Simulator3DSceneFxTest {
         .toList();
   }
 
-  /** Without 3D, the picture of the room is seen through. */
+  /** Without 3D, the image of the room is translucent. */
   @Test
   void aDarkWindowDimsTheRoomButNotWhatADroneFilms() {
     Simulator3DScene scene = fixture.scene();
@@ -264,7 +264,7 @@ class Simulator3DSceneFxTest {
         .toList();
   }
 
-  /** The only name of a gate that is shown. */
+  /** Returns the only visible name of a gate. */
   private Label onlyName() {
     return (Label)
         fixture.scene().lookupAll(".gate-name").stream()
@@ -282,20 +282,20 @@ class Simulator3DSceneFxTest {
   }
 
   private static Goal pass(String gate) {
-    return new Goal.Pass(OptionalInt.empty(), gate, Goal.Direction.EITHER);
+    return new Goal.Pass(Terms.ANY, gate, Goal.Direction.EITHER);
   }
 
   private SimulatorCamera camera() {
     return fixture.scene().camera();
   }
 
-  /** The middle of the drone. */
+  /** Returns the middle of the drone. */
   private Vec3 drone() {
     Pose pose = fixture.simulation().selected().poseProperty().get();
     return pose.position().plus(new Vec3(0, 0, 0.02));
   }
 
-  /** Lets the drone be somewhere else, and the camera come to rest. */
+  /** Moves the drone, and waits until the camera rests. */
   private void fly(double heading, Vec3 position) {
     fixture.put(new Pose(position, Attitude.ofHeading(heading)), FlightPhase.FLYING);
     for (int i = 0; i < 40; i++) {

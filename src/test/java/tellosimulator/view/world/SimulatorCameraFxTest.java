@@ -8,7 +8,6 @@ import static tellosimulator.view.world.SceneFixture.WIDTH;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import javafx.geometry.Insets;
 import javafx.geometry.Point2D;
 import org.junit.jupiter.api.Test;
@@ -18,6 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalRegion;
+import tellosimulator.goal.Terms;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -25,7 +25,7 @@ import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.world.Room;
 
-/** From where one sees the room, and what becomes of that. */
+/** The viewpoints of the camera, and their effect on the image. */
 class SimulatorCameraFxTest {
 
   private static final List<Pose> STARTS =
@@ -76,7 +76,7 @@ class SimulatorCameraFxTest {
   @Test
   void goalsAreInThePictureToo() {
     Vec3 high = new Vec3(-2, 0, 2.8);
-    Goal goal = new Goal.Reach(OptionalInt.empty(), new GoalRegion(high, 0.1));
+    Goal goal = new Goal.Reach(Terms.ANY, new GoalRegion(high, 0.1));
 
     fixture.change(() -> fixture.scene().setGoals(List.of(goal)));
     fixture.settle();
@@ -239,8 +239,8 @@ class SimulatorCameraFxTest {
     fixture.pass(0.01);
   }
 
-  private SelectionMark mark() {
-    return (SelectionMark) fixture.scene().lookup(".selection-mark").getParent();
+  private SelectionOutline mark() {
+    return (SelectionOutline) fixture.scene().lookup(".selection-mark").getParent();
   }
 
   private SimulatorCamera camera() {
@@ -264,7 +264,10 @@ class SimulatorCameraFxTest {
     fixture.settle();
   }
 
-  /** All corners of the floor are between two columns of the picture, and none could be larger. */
+  /**
+   * Asserts that all corners of the floor are between two columns of the image, which could not be
+   * larger.
+   */
   private void assertFitted(double left, double right) {
     Room room = fixture.snapshot().room();
     List<Point2D> corners = new ArrayList<>();

@@ -29,7 +29,7 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Walls;
 
-/** What one sees of the room where JavaFX has no 3D, as here. */
+/** The visible content of the room where JavaFX has no 3D, as in this test. */
 class SoftwareSceneViewFxTest {
 
   private static final List<Pose> STARTS =
@@ -137,13 +137,13 @@ class SoftwareSceneViewFxTest {
 
   @Test
   void severalDronesHaveTheirNumbers() {
-    fly(new Vec3(1.6, 0, 1)); // its start, which has its colour too, is not in the picture
+    fly(new Vec3(1.6, 0, 1)); // its start, which has the same colour, is out of view
     fixture.change(() -> fixture.scene().trailVisibleProperty().set(false));
     fixture.look(RoomView.TOP);
 
     GoalRegion disc = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isBlue);
-    // 1.3 times 0.032 of the distance are 22 pixels of 360 at 38 degrees, as it is the chosen one;
-    // 7/8 of that are blue: 280 pixels
+    // 1.3 times 0.032 of the distance are 22 pixels of 360 at 38 degrees, as it is the selected
+    // drone; 7/8 of that are blue: 280 pixels
     assertThat(disc.count()).isBetween(200, 330);
     assertThat(disc.x()).isBetween(WIDTH * 0.45, WIDTH * 0.55);
     assertThat(disc.y()).isBetween(HEIGHT * 0.4, HEIGHT * 0.6);
@@ -163,7 +163,7 @@ class SoftwareSceneViewFxTest {
     fixture.put(new Pose(position, Attitude.LEVEL), FlightPhase.FLYING);
   }
 
-  /** The uppermost pixel of the skirting, which is darker than wall and floor. */
+  /** The topmost pixel of the skirting board, which is darker than wall and floor. */
   private static int skirting(Image picture, int column) {
     return IntStream.range(0, HEIGHT)
         .filter(row -> picture.getPixelReader().getColor(column, row).getBrightness() < 0.6)
@@ -175,12 +175,12 @@ class SoftwareSceneViewFxTest {
     return color.getBrightness() < 0.25;
   }
 
-  /** As only the glass of the lens is. */
+  /** Matches only the glass of the lens. */
   private static boolean isLens(Color color) {
     return color.getBlue() > 1.5 * color.getRed() && color.getBrightness() < 0.5;
   }
 
-  /** As only what belongs to the first drone is. */
+  /** Matches only what belongs to the first drone. */
   private static boolean isBlue(Color color) {
     return color.getBlue() > 0.5 && color.getBlue() > 2 * color.getRed();
   }

@@ -33,7 +33,7 @@ class ViewWindowTest {
     assertThat(place.distanceTo(new Vec3(-2.9042109, 0, 0))).isLessThan(1e-6);
   }
 
-  /** So that walls are seen above a floor, and no empty space below it. */
+  /** So that walls fit above a floor, without empty space below it. */
   @ParameterizedTest
   @CsvSource({"0, 1", "0, 0.5", "45, 1", "90, 0.5"})
   void theMoreLevelOneLooksTheLowerAreFlatThings(double elevationDeg, double halfWidth) {

@@ -1,0 +1,83 @@
+package tellosimulator.grade;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
+
+/** Grades hand-ins with simulators that fail. */
+class GradingTest {
+
+  @TempDir private Path folder;
+
+  /** The flights in the order in which they were over. */
+  private static final class Told implements GradingListener {
+
+    private final List<String> flights = new ArrayList<>();
+
+    @Override
+    public void begins(int count) {
+      flights.add(count + " flights");
+    }
+
+    @Override
+    public synchronized void graded(String handIn, GradedFlight flight) {
+      flights.add(handIn + ": " + flight.program());
+    }
+  }
+
+  @Test
+  @Tag("process")
+  @NeedsTool(Tool.SH)
+  void aSimulatorThatFailsBlocksNoOtherHandInAndIsStartedAgain() throws Exception {
+    Files.writeString(
+        folder.resolve("course.yaml"), "goals:\n  - land: {at: [0, 0], radius: 30, points: 5}\n");
+    Path assignment =
+        Files.writeString(
+            folder.resolve("a.yaml"), "name: A\ncourses: [course.yaml]\nentry: a.py\n");
+    for (String file : List.of("Ann/a.py", "Bob/b.py", "Eve/a.py")) {
+      Path path = folder.resolve("hand-ins").resolve(file);
+      Files.createDirectories(path.getParent());
+      Files.writeString(path, "pass\n");
+    }
+    Path into = folder.resolve("grades");
+    Grading.Request request =
+        new Grading.Request(
+            assignment,
+            folder.resolve("hand-ins"),
+            into,
+            Optional.empty(),
+            Optional.empty(),
+            Grading.Shard.ALL);
+    List<String> simulator = List.of("sh", "-c", "echo out of memory >&2; exit 70");
+
+    for (int run = 1; run <= 2; run++) {
+      Told told = new Told();
+      try (Grading grading = Grading.open(request, new ArrayList<>()).orElseThrow()) {
+        Grades grades = grading.grade(simulator, 1, weaker -> {}, told);
+
+        assertThat(told.flights)
+            .containsExactly(
+                "3 flights",
+                "Ann: simulator failed",
+                "Bob: no entry file",
+                "Eve: simulator failed");
+        assertThat(Grades.read(into)).isEqualTo(grades);
+        FlightResult result = grades.handIns().get(0).flights().get(0).result();
+        assertThat(result.reason())
+            .contains("The flight could not be graded: the simulator failed: out of memory.");
+        assertThat(result.of()).isEqualTo(5);
+      }
+    }
+    assertThat(into.resolve("recordings/Ann/course-1-1/flight.json")).doesNotExist();
+    assertThat(into.resolve("recordings/Bob/course-1-1/flight.json")).exists();
+  }
+}
