@@ -33,8 +33,8 @@ import tellosimulator.launcher.ProgramRun;
 import tellosimulator.log.LogSetup;
 import tellosimulator.log.StandardErrorLog;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.recording.FlightResult;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.recording.RunResult;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.report.FlightReports;
 import tellosimulator.report.ReportTexts;
@@ -221,7 +221,7 @@ public final class Main {
    *
    * @param result returns the result; its simulator has closed
    */
-  private synchronized boolean writeResult(Supplier<RunResult> result) {
+  private synchronized boolean writeResult(Supplier<FlightResult> result) {
     if (resultWritten || options.result().isEmpty()) {
       return true;
     }
@@ -296,7 +296,7 @@ public final class Main {
   /** Prints the points of a run that ends by itself, once. */
   private synchronized void printScore(HeadlessSimulator simulator) {
     if (options.exitWhenDone() && !scorePrinted) {
-      simulator.result().score().map(Score::phrase).ifPresent(out::println);
+      simulator.score().map(Score::phrase).ifPresent(out::println);
     }
     scorePrinted = true;
   }

@@ -84,7 +84,7 @@ final class Scorer {
   }
 
   Tally tally() {
-    return new Tally(commands, counts, tookOff, winners);
+    return new Tally(commands, counts, winners);
   }
 
   /**

@@ -9,14 +9,9 @@ import java.util.OptionalInt;
  *
  * @param commands the number of commands that the drones took, with reads
  * @param infractions the number of each infraction; an infraction that is missing did not happen
- * @param tookOff whether a drone took off
  * @param winners for each goal, the number of the drone that reached it; empty if none did
  */
-public record Tally(
-    int commands,
-    Map<Infraction, Integer> infractions,
-    boolean tookOff,
-    List<OptionalInt> winners) {
+public record Tally(int commands, Map<Infraction, Integer> infractions, List<OptionalInt> winners) {
 
   public Tally {
     infractions = Map.copyOf(infractions);

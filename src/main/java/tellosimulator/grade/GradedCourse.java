@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import tellosimulator.recording.FlightResult;
 import tellosimulator.scenario.Assignment;
 import tellosimulator.scenario.Assignment.AssignedCourse;
 import tellosimulator.scenario.OpenedScenario;

@@ -1,5 +1,7 @@
 package tellosimulator.grade;
 
+import tellosimulator.recording.FlightResult;
+
 /**
  * A flight of a hand-in. Immutable.
  *

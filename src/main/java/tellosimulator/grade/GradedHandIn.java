@@ -49,8 +49,7 @@ public record GradedHandIn(
 
   /** Creates the grade of a hand-in from its flights. */
   static GradedHandIn of(HandIn handIn, List<GradedFlight> flights, Take take, Scale scale) {
-    GradedHandIn blank =
-        new GradedHandIn(
+    return new GradedHandIn(
             handIn.name(),
             handIn.id(),
             handIn.group(),
@@ -62,8 +61,8 @@ public record GradedHandIn(
             0,
             0,
             false,
-            List.of());
-    return blank.with(flights, take, scale);
+            List.of())
+        .with(flights, take, scale);
   }
 
   /** Returns a copy with other flights, and the points and the grade that follow from them. */

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import tellosimulator.files.AtomicFile;
 import tellosimulator.json.Json;
 import tellosimulator.json.JsonRecords;
+import tellosimulator.recording.FlightResult;
 import tellosimulator.scenario.Assignment.Scale;
 import tellosimulator.scenario.Assignment.Take;
 

@@ -20,6 +20,7 @@ import tellosimulator.launcher.ProgramRun.Distrust;
 import tellosimulator.launcher.ProgramRun.ExitCodes;
 import tellosimulator.launcher.ProgramRun.Plan;
 import tellosimulator.launcher.UnavailableException;
+import tellosimulator.recording.FlightResult;
 import tellosimulator.scenario.Assignment;
 import tellosimulator.scenario.Assignment.Pace;
 import tellosimulator.scenario.Assignment.Setup;

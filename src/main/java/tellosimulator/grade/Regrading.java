@@ -3,8 +3,8 @@ package tellosimulator.grade;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import tellosimulator.recording.FlightResult;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.recording.RunResult;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.replay.Replay;
 
@@ -29,17 +29,8 @@ final class Regrading {
     if (flight.recording().isEmpty()) {
       return flight;
     }
-    Path into = Files.createTempDirectory(scratch, "flight");
-    Path file = into.resolve("result.json");
-    try {
-      Replay replay = Replay.of(folder.resolve(flight.recording()));
-      RunResult judged = replay.judge(RecordingFolder.at(into));
-      judged.write(file);
-    } catch (UnreadableRecordingException e) {
-      throw new IOException(e.getMessage().replaceFirst("\\.$", ""), e);
-    }
     FlightResult before = flight.result();
-    FlightResult after = FlightResult.read(Files.readString(file));
+    FlightResult after = judged(folder.resolve(flight.recording()), scratch);
     boolean open = after.verdict().equals("missed") && after.reason().isEmpty();
     return flight.with(
         new FlightResult(
@@ -52,5 +43,20 @@ final class Regrading {
             after.refused(),
             after.touches(),
             after.crashes()));
+  }
+
+  /**
+   * Returns the result that a recording gives.
+   *
+   * @param scratch a temporary folder
+   * @throws IOException if the recording cannot be read; the message is a clause
+   */
+  static FlightResult judged(Path recording, Path scratch) throws IOException {
+    try {
+      Path into = Files.createTempDirectory(scratch, "flight");
+      return Replay.of(recording).judge(RecordingFolder.at(into));
+    } catch (UnreadableRecordingException e) {
+      throw new IOException(e.getMessage().replaceFirst("\\.$", ""), e);
+    }
   }
 }

@@ -12,14 +12,15 @@ import tellosimulator.concurrent.Worker;
 import tellosimulator.control.ControlServer;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
+import tellosimulator.goal.Score;
 import tellosimulator.junit.TelloSimulator;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.FlightRecorder;
 import tellosimulator.recording.FlightRecorder.Subject;
+import tellosimulator.recording.FlightResult;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.recording.RunResult;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.LogLimiter;
@@ -219,13 +220,18 @@ public final class HeadlessSimulator implements AutoCloseable {
             .agent(exitCondition::finish, exitCondition::now));
   }
 
+  /** Returns the final score; empty without points. Must be called after {@link #close}. */
+  public Optional<Score> score() {
+    return goals.progress().score();
+  }
+
   /** Returns the outcome of the run. Must be called after {@link #close}. */
-  public RunResult result() {
+  public FlightResult result() {
     Progress last = goals.progress();
     boolean goalless = scenario.challenge().goals().isEmpty(); // nothing can be missed
     Progress verdict = goalless ? last : exitCondition.verdict().orElse(last);
     boolean missed = !goalless && exitCondition.missed();
-    return new RunResult(verdict, missed, last.score(), goals.tally(), snapshot().seed());
+    return FlightResult.of(verdict, missed, last.score(), goals.tally());
   }
 
   /** Returns the latest snapshot. Thread-safe. */

@@ -11,10 +11,10 @@ import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.network.OfflineNetwork;
 import tellosimulator.recording.FlightRecorder;
+import tellosimulator.recording.FlightResult;
 import tellosimulator.recording.InitialConditions;
 import tellosimulator.recording.RecordedInputs.RecordedInput;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.recording.RunResult;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Simulation;
 import tellosimulator.words.Phrase;
@@ -100,9 +100,9 @@ final class RepeatedFlight {
   }
 
   /** Returns the outcome. Must be called after {@link #fly}. */
-  RunResult result() {
+  FlightResult result() {
     Progress last = goals.progress();
-    return new RunResult(last, false, last.score(), goals.tally(), simulation.snapshot().seed());
+    return FlightResult.of(last, false, last.score(), goals.tally());
   }
 
   private void repeat(RecordedInput input) throws IOException {

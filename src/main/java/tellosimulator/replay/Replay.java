@@ -10,6 +10,7 @@ import java.util.OptionalInt;
 import java.util.stream.Stream;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
+import tellosimulator.recording.FlightResult;
 import tellosimulator.recording.InitialConditions;
 import tellosimulator.recording.RecordedCommand;
 import tellosimulator.recording.RecordedFlight;
@@ -17,7 +18,6 @@ import tellosimulator.recording.RecordedInputs;
 import tellosimulator.recording.RecordedRun;
 import tellosimulator.recording.RecordingFile;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.recording.RunResult;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.DroneSetup;
@@ -129,7 +129,7 @@ public final class Replay {
    * @param into the folder that will contain the folder of the new recording
    * @throws IOException as for {@link #fly}
    */
-  public RunResult judge(RecordingFolder into) throws IOException {
+  public FlightResult judge(RecordingFolder into) throws IOException {
     return flown(into).result;
   }
 
@@ -139,7 +139,7 @@ public final class Replay {
    * @param damaged the number of inputs that could not be read
    * @param result the outcome of the attempt
    */
-  private record Flown(Path folder, int damaged, RunResult result) {}
+  private record Flown(Path folder, int damaged, FlightResult result) {}
 
   private Flown flown(RecordingFolder into) throws IOException {
     if (commands.isPresent()) {

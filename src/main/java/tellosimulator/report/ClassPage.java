@@ -9,10 +9,10 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import tellosimulator.grade.CourseGrade;
-import tellosimulator.grade.FlightResult.GoalResult;
 import tellosimulator.grade.GradedFlight;
 import tellosimulator.grade.GradedHandIn;
 import tellosimulator.grade.Grades;
+import tellosimulator.recording.FlightResult.GoalResult;
 
 /** The page of a class: a table that can be sorted, the distribution of points, and the goals. */
 final class ClassPage {

@@ -11,11 +11,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import tellosimulator.grade.CourseGrade;
-import tellosimulator.grade.FlightResult;
-import tellosimulator.grade.FlightResult.GoalResult;
-import tellosimulator.grade.FlightResult.ScoreEntry;
 import tellosimulator.grade.GradedFlight;
 import tellosimulator.grade.GradedHandIn;
+import tellosimulator.recording.FlightResult;
+import tellosimulator.recording.FlightResult.GoalResult;
+import tellosimulator.recording.FlightResult.ScoreEntry;
 import tellosimulator.words.Printable;
 
 /** The page for the author of a hand-in. It runs no script. */

@@ -5,9 +5,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
 import tellosimulator.grade.CourseGrade;
-import tellosimulator.grade.FlightResult;
-import tellosimulator.grade.FlightResult.GoalResult;
 import tellosimulator.grade.GradedHandIn;
+import tellosimulator.recording.FlightResult;
+import tellosimulator.recording.FlightResult.GoalResult;
 
 /**
  * Grades as JUnit XML: a suite for each hand-in, with a test for each goal of its best flight on

@@ -96,7 +96,6 @@ class ScoreTest {
     assertThat(watch.progress().score()).isEmpty();
     assertThat(watch.tally().commands()).isEqualTo(4);
     assertThat(watch.tally().count(Infraction.REFUSED)).isEqualTo(1);
-    assertThat(watch.tally().tookOff()).isTrue();
     assertThat(news).extracting(SimEvent::words).noneMatch(words -> words.contains("point"));
   }
 

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.recording.FlightResult;
 import tellosimulator.scenario.Assignment;
 import tellosimulator.scenario.Assignment.AssignedCourse;
 import tellosimulator.scenario.Assignment.Limits;

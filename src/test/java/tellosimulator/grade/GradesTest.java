@@ -12,9 +12,10 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import tellosimulator.grade.FlightResult.GoalResult;
-import tellosimulator.grade.FlightResult.ScoreEntry;
-import tellosimulator.grade.FlightResult.ScoreResult;
+import tellosimulator.recording.FlightResult;
+import tellosimulator.recording.FlightResult.GoalResult;
+import tellosimulator.recording.FlightResult.ScoreEntry;
+import tellosimulator.recording.FlightResult.ScoreResult;
 import tellosimulator.scenario.Assignment.Scale;
 import tellosimulator.scenario.Assignment.Take;
 

@@ -14,7 +14,7 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.recording.FlightRecorder;
 import tellosimulator.recording.FlightRecorder.Subject;
-import tellosimulator.recording.RunResult;
+import tellosimulator.recording.FlightResult;
 import tellosimulator.scenario.EditedScenario;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
@@ -238,8 +238,8 @@ final class ScenarioSession implements AutoCloseable {
   }
 
   /** Returns the outcome. Must be called after {@link #close}. */
-  RunResult result() {
+  FlightResult result() {
     Progress last = goals.progress();
-    return new RunResult(last, false, last.score(), goals.tally(), simulation.snapshot().seed());
+    return FlightResult.of(last, false, last.score(), goals.tally());
   }
 }

@@ -16,8 +16,8 @@ import javafx.stage.Stage;
 import tellosimulator.goal.Challenge;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.recording.FlightResult;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.recording.RunResult;
 import tellosimulator.scenario.Diagnostic;
 import tellosimulator.scenario.EditedScenario;
 import tellosimulator.scenario.Gallery;
@@ -509,7 +509,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   }
 
   /** Returns the outcome of the present scenario. Must be called after {@link #close}. */
-  public RunResult result() {
+  public FlightResult result() {
     return running.result();
   }
 }
