@@ -49,7 +49,7 @@ def not_a_number(text):
 
 
 def reads(drone):
-    fly("battery?", drone.query_battery, want=100)
+    fly("battery?", drone.query_battery, pattern=r"100|9\d")
     fly("sdk?", drone.query_sdk_version, want="20")
     fly("sn?", drone.query_serial_number, pattern="[0-9A-Z]{14}")
     fly("wifi?", drone.query_wifi_signal_noise_ratio, pattern="[0-9]{1,3}")

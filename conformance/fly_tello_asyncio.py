@@ -59,7 +59,7 @@ class Flight:
 
     async def reads(self):
         drone = self.drone
-        await self.fly("battery?", drone.query_battery(), want=100)
+        await self.fly("battery?", drone.query_battery(), pattern=r"100|9\d")
         await self.fly("speed?", drone.speed, want=100.0)
         await self.fly("sdk?", drone.sdk_version, want="20\r\n")
         await self.fly("sn?", drone.serial_number, pattern="[0-9A-Z]{14}")
