@@ -81,7 +81,8 @@ record GradedCourse(
     }
   }
 
-  private static String name(String scenario) {
+  /** Returns the name of a course without its number. */
+  static String name(String scenario) {
     return Path.of(scenario)
         .getFileName()
         .toString()

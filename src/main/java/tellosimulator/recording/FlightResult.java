@@ -81,7 +81,7 @@ public record FlightResult(
   public record ScoreEntry(double second, double points, String why) {}
 
   /**
-   * Returns the result of a run.
+   * Returns the result of a run, with times as they are written.
    *
    * @param progress the progress when the verdict was final, or at the end
    * @param missed whether the run ended although open goals could still have been reached
@@ -92,7 +92,7 @@ public record FlightResult(
     return new FlightResult(
         verdict(progress.status(), missed),
         progress.failure().map(Phrase::english),
-        progress.elapsed(),
+        Json.rounded(progress.elapsed()),
         goals(progress, tally.winners()),
         score.map(FlightResult::result),
         tally.commands(),
@@ -128,17 +128,23 @@ public record FlightResult(
   private static List<GoalResult> goals(Progress progress, List<OptionalInt> winners) {
     List<GoalResult> goals = new ArrayList<>();
     for (Goal goal : progress.challenge().goals()) {
-      OptionalDouble reached = progress.reached().get(goals.size());
+      OptionalDouble reached = rounded(progress.reached().get(goals.size()));
       OptionalInt drone = reached.isPresent() ? winners.get(goals.size()) : OptionalInt.empty();
       goals.add(new GoalResult(goal.phrase().english(), goal.terms().points(), reached, drone));
     }
     return goals;
   }
 
+  private static OptionalDouble rounded(OptionalDouble seconds) {
+    return seconds.isPresent()
+        ? OptionalDouble.of(Json.rounded(seconds.getAsDouble()))
+        : OptionalDouble.empty();
+  }
+
   private static ScoreResult result(Score score) {
     List<ScoreEntry> entries =
         score.entries().stream()
-            .map(each -> new ScoreEntry(each.second(), each.points(), each.why().english()))
+            .map(each -> new ScoreEntry(Json.rounded(each.second()), each.points(), each.why().english()))
             .toList();
     return new ScoreResult(score.points(), score.of(), entries);
   }

@@ -23,8 +23,12 @@ public final class ClassReport {
   /** The page of the class. */
   public static final String INDEX = "index.html";
 
-  static final String LEADERBOARD = "leaderboard.html";
-  static final String FEEDBACK = "feedback.html";
+  /** The page with the points, but without names. */
+  public static final String LEADERBOARD = "leaderboard.html";
+
+  /** The page for the author of a hand-in. */
+  public static final String FEEDBACK = "feedback.html";
+
 
   private final Grades grades;
   private final Path folder;
@@ -54,19 +58,38 @@ public final class ClassReport {
     return folder;
   }
 
-  /** Returns the folder with the feedback on a hand-in. */
+  /** Returns the folder with the feedback on a hand-in; if it has no name, that of the results. */
   Path feedback(GradedHandIn handIn) {
-    return folder.resolve("feedback").resolve(handIn.folder());
+    return handIn.folder().isEmpty()
+        ? folder
+        : folder.resolve("feedback").resolve(handIn.folder());
   }
 
   /**
-   * Writes all pages. A flight whose recording cannot be read has no report.
+   * Writes all pages.
    *
    * @param leaderboard whether there is also a page with the points, but without names
    * @return the page of the class
    * @throws IOException if a page cannot be written
    */
   public Path write(boolean leaderboard) throws IOException {
+    writeFeedback();
+    if (leaderboard) {
+      write(folder.resolve(LEADERBOARD), new ClassPage(this).leaderboard());
+    } else {
+      Files.deleteIfExists(folder.resolve(LEADERBOARD));
+    }
+    Path index = folder.resolve(INDEX);
+    write(index, new ClassPage(this).html(leaderboard));
+    return index;
+  }
+
+  /**
+   * Writes the page for each hand-in. A flight whose recording cannot be read has no report.
+   *
+   * @throws IOException if a page cannot be written
+   */
+  public void writeFeedback() throws IOException {
     for (GradedHandIn handIn : grades.handIns()) {
       Files.createDirectories(feedback(handIn));
       for (GradedFlight flight : handIn.flights()) {
@@ -77,14 +100,6 @@ public final class ClassReport {
     for (GradedHandIn handIn : grades.handIns()) {
       write(feedback(handIn).resolve(FEEDBACK), new FeedbackPage(this, handIn).html());
     }
-    if (leaderboard) {
-      write(folder.resolve(LEADERBOARD), new ClassPage(this).leaderboard());
-    } else {
-      Files.deleteIfExists(folder.resolve(LEADERBOARD));
-    }
-    Path index = folder.resolve(INDEX);
-    write(index, new ClassPage(this).html(leaderboard));
-    return index;
   }
 
   /** Returns the file for the report of a flight. */

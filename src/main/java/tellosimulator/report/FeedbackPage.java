@@ -78,7 +78,7 @@ final class FeedbackPage {
         """
         <section class="panel"><div class="bar"><h2>%s%s</h2><p><strong>%s</strong></p></div>
         <div class="body"><p class="%s">%s %s</p><p class="%s">%s</p>%s%s%s<p class="muted">%s</p>
-        <h3>%s</h3>%s</div></section>""",
+        %s</div></section>""",
         words.name(course),
         attempt,
         words.points(result.points(), result.of()),
@@ -91,8 +91,7 @@ final class FeedbackPage {
         table("feedback.points", GradeWords.entries(result).stream().map(this::entry)),
         table("goals", result.goals().stream().map(this::goal)),
         counts(result),
-        words.of("feedback.output"),
-        output(flight));
+        flight.program().isEmpty() ? Markup.NONE : output(flight));
   }
 
   private String counts(FlightResult result) {
@@ -143,9 +142,11 @@ final class FeedbackPage {
             .filter(Files::isRegularFile)
             .findFirst();
     String end = file.isPresent() ? end(file.get()) : "";
-    return end.isBlank()
-        ? Markup.of("<p class=\"muted\">%s</p>", words.of("feedback.no-output"))
-        : Markup.of("<pre tabindex=\"0\">%s</pre>", end);
+    Markup shown =
+        end.isBlank()
+            ? Markup.of("<p class=\"muted\">%s</p>", words.of("feedback.no-output"))
+            : Markup.of("<pre tabindex=\"0\">%s</pre>", end);
+    return Markup.of("<h3>%s</h3>%s", words.of("feedback.output"), shown);
   }
 
   /** Returns the end of a file, from the beginning of a line. */

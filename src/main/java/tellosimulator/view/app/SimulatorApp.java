@@ -12,6 +12,7 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javafx.application.Platform;
+import javafx.stage.FileChooser;
 import javafx.stage.Stage;
 import tellosimulator.goal.Challenge;
 import tellosimulator.network.AddressPlan;
@@ -93,6 +94,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   private final RoomPictures pictures = new RoomPictures();
   private Frame frame;
   private RecentFiles recent;
+  private RecentFiles assignments;
   private SolvedScenarios solved;
   private RecordingPlayers players;
   private boolean galleryFirst;
@@ -170,7 +172,8 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     Language language = new Language(Locale.getDefault());
     settings.bind("language", language.localeProperty(), Language.codec());
     frame = new Frame(stage, language, state, settings);
-    recent = RecentFiles.remembered(settings);
+    recent = RecentFiles.remembered(settings, "recent-files");
+    assignments = RecentFiles.remembered(settings, "assignments");
     solved = SolvedScenarios.remembered(settings);
     running.opened().file().ifPresent(recent::add);
     players =
@@ -256,6 +259,24 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   @Override
   public void openRecording(Path place) {
     players.open(place);
+  }
+
+  @Override
+  public void gradeFlight() {
+    FileChooser chooser = new FileChooser();
+    chooser.setTitle(frame.language().messages(SimulatorApp.class).now("choose-assignment"));
+    assignments.latest().ifPresent(file -> {
+          chooser.setInitialDirectory(file.getParent().toFile());
+          chooser.setInitialFileName(file.getFileName().toString());
+        });
+    Optional.ofNullable(chooser.showOpenDialog(frame.stage()))
+        .ifPresent(file -> gradeFlight(file.toPath()));
+  }
+
+  /** Grades the last flight, and remembers the assignment. */
+  void gradeFlight(Path assignment) {
+    assignments.add(assignment);
+    report.grade(assignment);
   }
 
   private void cannotPlay(Function<Language, String> reason) {

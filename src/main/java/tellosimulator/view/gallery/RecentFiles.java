@@ -3,6 +3,7 @@ package tellosimulator.view.gallery;
 import java.net.URLDecoder;
 import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -14,7 +15,7 @@ import javafx.beans.property.SimpleObjectProperty;
 import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.view.settings.Settings;
 
-/** The recently opened or saved scenario files, newest first. Confined to the JavaFX thread. */
+/** The recently used files of a kind, newest first. Confined to the JavaFX thread. */
 public final class RecentFiles {
 
   /** Maximum number of files. Decided: they fit into one row of the gallery. */
@@ -25,10 +26,14 @@ public final class RecentFiles {
   private final ObjectProperty<List<Path>> files =
       new SimpleObjectProperty<>(this, "files", List.of());
 
-  /** Restores the list from the settings, and saves its changes. */
-  public static RecentFiles remembered(Settings settings) {
+  /**
+   * Restores the list from the settings, and saves its changes.
+   *
+   * @param key the key of the setting
+   */
+  public static RecentFiles remembered(Settings settings, String key) {
     RecentFiles recent = new RecentFiles();
-    settings.bind("recent-files", recent.files, codec());
+    settings.bind(key, recent.files, codec());
     return recent;
   }
 
@@ -40,6 +45,11 @@ public final class RecentFiles {
                 Stream.of(absolute), files.get().stream().filter(each -> !each.equals(absolute)))
             .limit(MOST)
             .toList());
+  }
+
+  /** Returns the newest file that is still there. */
+  public Optional<Path> latest() {
+    return files.get().stream().filter(Files::exists).findFirst();
   }
 
   /** The absolute paths of the files. */

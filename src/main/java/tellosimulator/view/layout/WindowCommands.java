@@ -172,6 +172,7 @@ public final class WindowCommands {
 
   private void addAppearance() {
     add(Group.RECORDING, "record-flights", () -> state.toggle(Flag.RECORDED_FLIGHTS));
+    add(Group.RECORDING, "grade-flight", context.scenario().actions()::gradeFlight);
     for (Theme theme : Theme.values()) {
       String name = theme.name().toLowerCase(Locale.ROOT);
       add(Group.THEME, "theme-" + name, name, () -> state.themeProperty().set(theme));

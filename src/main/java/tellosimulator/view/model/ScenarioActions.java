@@ -52,6 +52,9 @@ public interface ScenarioActions {
   /** Opens the current scenario again, with the course that is drawn from the next seed. */
   void openNextCourse();
 
+  /** Opens a file chooser, and grades the last flight with the chosen assignment. */
+  void gradeFlight();
+
   /** Reloads the current scenario. */
   void reload();
 

@@ -98,6 +98,51 @@ class RecordedFlightsFxTest {
   }
 
   @Test
+  void theLastFlightIsGradedWithAnAssignment() throws Exception {
+    Path course = course("course", "reach: {at: [0, 0, 80], radius: 60, points: 5}");
+    Path assignment = assignment("task", "course.yaml");
+    change(() -> window.app().gradeFlight(assignment));
+    await(() -> window.log().contains("There is no flight to grade with " + assignment));
+    change(() -> window.app().open(course));
+    window.app().switchAllOn();
+    int port = Integer.parseInt(window.app().ready().replaceAll(".*:", ""));
+    assertThat(List.of(ask("command", port), ask("takeoff", port))).containsExactly("ok", "ok");
+    change(() -> item().setSelected(false)); // which ends the recording
+    Button report = window.robot().lookup("#log-report").queryButton();
+    await(() -> !report.isDisabled());
+
+    change(() -> window.app().gradeFlight(assignment));
+    await(() -> window.openedReports().size() == 1 && !report.isDisabled());
+
+    Path file = RecordingFiles.only(window.recordings()).folder().resolve("feedback.html");
+    assertThat(window.openedReports()).containsExactly(file);
+    assertThat(Files.readString(file))
+        .contains("5 of 5 points", "grade 6", "All goals were reached, after", "+5")
+        .contains("href=\"course-1-1.html\"")
+        .doesNotContain("The program");
+    assertThat(file.resolveSibling("course-1-1.html")).exists();
+    course("other", "land: {at: [100, 0], radius: 30}");
+    Path another = assignment("another", "other.yaml");
+    change(() -> window.app().gradeFlight(another));
+    await(() -> window.log().contains("on none of the courses of " + another));
+    change(() -> window.app().gradeFlight(course));
+    await(() -> window.log().contains(course + ":1:1: "));
+    assertThat(window.openedReports()).hasSize(1);
+  }
+
+  private Path course(String name, String goal) throws IOException {
+    Path file = window.settings().resolveSibling(name + ".yaml");
+    return Files.writeString(file, "goals:\n  - " + goal + "\n");
+  }
+
+  private Path assignment(String name, String course) throws IOException {
+    Path file = window.settings().resolveSibling(name + ".yaml");
+    String scale = "scale: {kind: range, from: 1, to: 6}";
+    return Files.writeString(
+        file, "name: Task\ncourses: [" + course + "]\n" + scale + "\n");
+  }
+
+  @Test
   void withoutRecordingsThereIsNoReport() throws Exception {
     HBox frame = (HBox) window.robot().lookup("#log-report").query().getParent();
     assertThat(tooltip(frame)).isEqualTo("The report appears here as soon as a flight is over.");

@@ -16,7 +16,7 @@ class RecentFilesTest {
 
   @Test
   void theNewestComesFirstAndEachOnceAndTheOldestAreForgotten() {
-    RecentFiles recent = RecentFiles.remembered(load());
+    RecentFiles recent = RecentFiles.remembered(load(), "recent-files");
     for (int i = 0; i < RecentFiles.MOST + 1; i++) {
       recent.add(folder.resolve(i + ".yaml"));
     }
@@ -32,11 +32,11 @@ class RecentFilesTest {
   void theyAreThereTheNextTimeWhateverTheirNames() {
     Settings settings = load();
     Path odd = folder.resolve("Räume, 5 % & =+").resolve("a b;c.yaml");
-    RecentFiles.remembered(settings).add(odd);
-    RecentFiles.remembered(reopened(settings)).add(folder.resolve("next.yaml"));
+    RecentFiles.remembered(settings, "recent-files").add(odd);
+    RecentFiles.remembered(reopened(settings), "recent-files").add(folder.resolve("next.yaml"));
 
     Settings again = load();
-    RecentFiles recent = RecentFiles.remembered(again);
+    RecentFiles recent = RecentFiles.remembered(again, "recent-files");
 
     assertThat(recent.filesProperty().getValue()).containsExactly(odd);
   }
@@ -48,7 +48,7 @@ class RecentFilesTest {
 
   @Test
   void aRelativePathIsKeptAsWhereItIs() {
-    RecentFiles recent = RecentFiles.remembered(load());
+    RecentFiles recent = RecentFiles.remembered(load(), "recent-files");
 
     recent.add(Path.of("x", "..", "room.yaml"));
 
