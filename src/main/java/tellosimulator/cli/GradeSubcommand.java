@@ -1,6 +1,7 @@
 package tellosimulator.cli;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -28,6 +29,7 @@ import tellosimulator.recording.FlightResult.ScoreEntry;
 import tellosimulator.report.ClassReport;
 import tellosimulator.report.GradeFormat;
 import tellosimulator.report.ReportTexts;
+import tellosimulator.words.Phrase;
 import tellosimulator.words.Printable;
 
 /** Grades the programs of a class. Not thread-safe. */
@@ -185,7 +187,18 @@ final class GradeSubcommand implements Subcommand {
       Grades grades = source.get();
       print(grades, to);
       boolean pages = writePages(grades, into, to);
-      return whole(grades, to) && pages ? ExitCode.DONE : ExitCode.FAILED;
+      boolean whole = whole(grades, to);
+      boolean missing = merge.value() && !grades.complete();
+      if (missing) {
+        to.err()
+            .println(
+                "These are the grades of "
+                    + grades.handIns().size()
+                    + " of "
+                    + grades.all()
+                    + " hand-ins: grade or merge the others, too.");
+      }
+      return whole && pages && !missing ? ExitCode.DONE : ExitCode.FAILED;
     } catch (IOException e) {
       to.err().println("The grades were not written: " + IoReason.of(e, into) + ".");
       return ExitCode.FAILED;
@@ -267,7 +280,10 @@ final class GradeSubcommand implements Subcommand {
   private boolean writePages(Grades grades, Path into, ProgramOutput to) throws IOException {
     to.out().println("grades: " + into.resolve(Grades.JSON));
     ClassReport report = new ClassReport(grades, into, new ReportTexts(to.translation().get()));
-    to.out().println("class page: " + report.write(leaderboard.value()));
+    boolean ranked =
+        leaderboard.value()
+            || (regrade.value() && Files.exists(into.resolve(ClassReport.LEADERBOARD)));
+    to.out().println("class page: " + report.write(ranked));
     boolean all = true;
     for (GradeFormat format : formats.value().orElse(List.of())) {
       try {
@@ -297,7 +313,10 @@ final class GradeSubcommand implements Subcommand {
     if (files.get().size() == 2) {
       for (HandIn found : grading.found()) {
         String file = found.file().isEmpty() ? found.obstacle() : found.file();
-        to.out().println(Printable.of(found.name() + ": " + found.problem().orElse(file)));
+        to.out()
+            .println(
+                Printable.of(
+                    found.name() + ": " + found.problem().map(Phrase::english).orElse(file)));
         wrong += found.file().isEmpty() ? 1 : 0;
       }
     }

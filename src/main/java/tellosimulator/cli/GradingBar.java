@@ -33,21 +33,22 @@ final class GradingBar implements GradingListener {
   }
 
   @Override
-  public synchronized void graded(String handIn, GradedFlight flight) {
+  public synchronized void graded(String handIn, GradedFlight flight, boolean kept) {
     done++;
     if (!terminal) {
       to.out()
           .println(
               String.format(
                   Locale.ROOT,
-                  "%d of %d: %s, %s, seed %d: %s (%s)",
+                  "%d of %d: %s, %s, seed %d: %s (%s)%s",
                   done,
                   flights,
                   handIn,
                   flight.course(),
                   flight.seed(),
                   flight.result().verdict(),
-                  flight.program()));
+                  flight.program(),
+                  kept ? " (kept)" : ""));
       return;
     }
     int full = LENGTH * done / flights;

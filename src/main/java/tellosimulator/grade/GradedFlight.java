@@ -1,6 +1,8 @@
 package tellosimulator.grade;
 
+import java.util.Optional;
 import tellosimulator.recording.FlightResult;
+import tellosimulator.words.Phrase;
 
 /**
  * A flight of a hand-in. Immutable.
@@ -16,6 +18,8 @@ import tellosimulator.recording.FlightResult;
  *     flight is repeated
  * @param recording the folder of the recording, relative to that of the grades; empty if the drone
  *     did not take off
+ * @param problem why there was no flight, as a sentence; empty if there was one, or {@code program}
+ *     says it
  */
 public record GradedFlight(
     String course,
@@ -25,7 +29,21 @@ public record GradedFlight(
     String program,
     String time,
     double wallSeconds,
-    String recording) {
+    String recording,
+    Optional<Phrase> problem) {
+
+  /** Creates a flight without a problem. */
+  public GradedFlight(
+      String course,
+      long seed,
+      int attempt,
+      FlightResult result,
+      String program,
+      String time,
+      double wallSeconds,
+      String recording) {
+    this(course, seed, attempt, result, program, time, wallSeconds, recording, Optional.empty());
+  }
 
   /** The file in the folder of a flight that contains the output of the program. */
   public static final String OUTPUT = "output.txt";
@@ -52,6 +70,7 @@ public record GradedFlight(
 
   /** Returns a copy with another result. */
   GradedFlight with(FlightResult other) {
-    return new GradedFlight(course, seed, attempt, other, program, time, wallSeconds, recording);
+    return new GradedFlight(
+        course, seed, attempt, other, program, time, wallSeconds, recording, problem);
   }
 }

@@ -19,6 +19,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
@@ -31,6 +32,7 @@ import tellosimulator.launcher.ConfinedBuild;
 import tellosimulator.launcher.UnavailableException;
 import tellosimulator.scenario.Assignment;
 import tellosimulator.time.RealTimer;
+import tellosimulator.words.Phrase;
 
 /**
  * Flies all hand-ins on all courses, several at once, each job on a thread of its own. A flight
@@ -55,7 +57,14 @@ final class Grader implements AutoCloseable {
   private volatile Optional<String> failure = Optional.empty();
 
   /** A flight to be flown. */
-  private record Task(HandIn handIn, GradedCourse course, int attempt, String fingerprint) {}
+  private record Task(HandIn handIn, SeededCourse course, int attempt, String fingerprint) {
+
+    /** Returns its folder, relative to that of the results. */
+    String place() {
+      String name = GradedFlight.name(course.name(), course.seed(), attempt);
+      return RECORDINGS + "/" + handIn.folder() + "/" + name;
+    }
+  }
 
   Grader(GradingPlan plan, List<HandIn> handIns, GradingListener listener) {
     this.plan = plan;
@@ -66,14 +75,15 @@ final class Grader implements AutoCloseable {
   /**
    * Flies everything that has no result yet.
    *
+   * @param all the number of hand-ins of the class
    * @param jobs the number of flights at a time
    * @return the grades; if this was closed, those of the hand-ins whose flights are all over
    * @throws IOException if a file cannot be read or written; the message is a clause
    */
-  Grades grade(int jobs) throws IOException, InterruptedException {
-    List<Task> all = tasks();
-    tasks.addAll(all);
-    listener.begins(all.size());
+  Grades grade(int all, int jobs) throws IOException, InterruptedException {
+    List<Task> flights = tasks();
+    tasks.addAll(flights);
+    listener.begins(flights.size());
     CountDownLatch running = new CountDownLatch(jobs);
     for (int i = 1; i <= jobs; i++) {
       Worker.once("grade-" + i, ErrorPolicy.finish("A flight was not graded"), () -> work(running));
@@ -85,16 +95,20 @@ final class Grader implements AutoCloseable {
     List<GradedHandIn> graded = new ArrayList<>();
     Assignment assignment = plan.assignment();
     for (HandIn handIn : handIns) {
-      List<GradedFlight> flights =
-          all.stream()
+      List<GradedFlight> own =
+          flights.stream()
               .filter(task -> task.handIn().equals(handIn) && done.containsKey(task))
               .map(done::get)
               .toList();
-      if (flights.size() == plan.courses().size() * assignment.attempts()) {
-        graded.add(GradedHandIn.of(handIn, flights, assignment.take(), assignment.scale()));
+      if (own.size() == plan.courses().size() * assignment.attempts()) {
+        graded.add(GradedHandIn.of(handIn, own, assignment.take(), assignment.scale()));
       }
     }
-    return new Grades(assignment.name(), assignment.take(), assignment.scale(), graded);
+    Map<String, String> titles =
+        plan.courses().stream()
+            .collect(Collectors.toMap(SeededCourse::name, SeededCourse::title, (one, two) -> one));
+    return new Grades(
+        assignment.name(), assignment.take(), assignment.scale(), all, titles, graded);
   }
 
   private List<Task> tasks() throws IOException {
@@ -103,7 +117,8 @@ final class Grader implements AutoCloseable {
     for (HandIn handIn : handIns) {
       MessageDigest files = digest();
       files.update(assignment);
-      files.update((handIn.file() + handIn.problem()).getBytes(StandardCharsets.UTF_8));
+      files.update(
+          (handIn.file() + handIn.problem().map(Phrase::english)).getBytes(StandardCharsets.UTF_8));
       for (Path file : handIn.problem().isEmpty() ? tree(handIn.files()) : List.<Path>of()) {
         if (Files.isRegularFile(file)) {
           files.update(handIn.files().relativize(file).toString().getBytes(StandardCharsets.UTF_8));
@@ -113,7 +128,7 @@ final class Grader implements AutoCloseable {
         }
       }
       byte[] ofHandIn = files.digest();
-      for (GradedCourse course : plan.courses()) {
+      for (SeededCourse course : plan.courses()) {
         MessageDigest both = digest();
         both.update(ofHandIn);
         both.update(course.fingerprint().getBytes(StandardCharsets.UTF_8));
@@ -137,9 +152,10 @@ final class Grader implements AutoCloseable {
   private void work(CountDownLatch running) {
     try {
       for (Task task = tasks.poll(); task != null && !closed; task = tasks.poll()) {
-        GradedFlight flight = fly(task);
+        Optional<GradedFlight> kept = kept(folder(task), task.fingerprint());
+        GradedFlight flight = kept.isPresent() ? kept.get() : fly(task);
         done.put(task, flight);
-        listener.graded(task.handIn().name(), flight);
+        listener.graded(task.handIn().name(), flight, kept.isPresent());
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt(); // closed
@@ -159,14 +175,8 @@ final class Grader implements AutoCloseable {
 
   private GradedFlight fly(Task task)
       throws IOException, UnavailableException, InterruptedException {
-    GradedCourse course = task.course();
-    String name = GradedFlight.name(course.name(), course.seed(), task.attempt());
-    String where = RECORDINGS + "/" + task.handIn().folder() + "/" + name;
-    Path folder = plan.into().resolve(where);
-    Optional<GradedFlight> kept = kept(folder, task.fingerprint());
-    if (kept.isPresent()) {
-      return kept.get();
-    }
+    SeededCourse course = task.course();
+    Path folder = folder(task);
     clear(folder);
     RealTimer watch = new RealTimer();
     HandInFlight.Outcome outcome;
@@ -188,7 +198,8 @@ final class Grader implements AutoCloseable {
             outcome.program(),
             outcome.time(),
             wall,
-            recorded ? where + "/" + HandInFlight.RECORDING : "");
+            recorded ? task.place() + "/" + HandInFlight.RECORDING : "",
+            outcome.problem());
     if (flight.failed()) {
       return flight; // is flown again the next time
     }
@@ -201,6 +212,10 @@ final class Grader implements AutoCloseable {
                 JsonRecords.write(GradedFlight.class, flight)));
     AtomicFile.write(folder.resolve(KEPT), out -> out.write(json.getBytes(StandardCharsets.UTF_8)));
     return flight;
+  }
+
+  private Path folder(Task task) {
+    return plan.into().resolve(task.place());
   }
 
   private static Optional<GradedFlight> kept(Path folder, String fingerprint) throws IOException {
@@ -219,22 +234,23 @@ final class Grader implements AutoCloseable {
   }
 
   /** Returns the outcome of a flight that could not be flown, which concerns no other flight. */
-  private HandInFlight.Outcome failed(GradedCourse course, IOException e)
+  private HandInFlight.Outcome failed(SeededCourse course, IOException e)
       throws InterruptedException {
     if (closed) {
       throw new InterruptedException();
     }
-    String reason = "The flight could not be graded: " + IoReason.of(e) + ".";
+    Phrase reason =
+        Phrase.of("The flight could not be graded: %s.", String.valueOf(IoReason.of(e)));
     return new HandInFlight.Outcome(
-        course.unflown().because(Optional.of(reason)), GradedFlight.SIMULATOR_FAILED, "");
+        course.unflown(), GradedFlight.SIMULATOR_FAILED, "", Optional.of(reason));
   }
 
   private HandInFlight.Outcome outcome(Task task, Path folder)
       throws IOException, UnavailableException, InterruptedException {
     HandIn handIn = task.handIn();
     if (handIn.problem().isPresent() || handIn.file().isEmpty()) {
-      Optional<String> why = handIn.problem().filter(each -> !handIn.original().isEmpty());
-      return new HandInFlight.Outcome(task.course().unflown().because(why), handIn.obstacle(), "");
+      Optional<Phrase> why = handIn.problem().filter(each -> !handIn.original().isEmpty());
+      return new HandInFlight.Outcome(task.course().unflown(), handIn.obstacle(), "", why);
     }
     Optional<Path> files = built(handIn, folder);
     if (closed) {

@@ -24,9 +24,17 @@ import tellosimulator.scenario.Assignment.Take;
  *
  * @param assignment the title of the assignment
  * @param take which of several attempts counts
+ * @param all the number of hand-ins of the class, of which some may not be graded yet
+ * @param titles the title of each course
  * @param handIns the hand-ins, by the names of their folders
  */
-public record Grades(String assignment, Take take, Scale scale, List<GradedHandIn> handIns) {
+public record Grades(
+    String assignment,
+    Take take,
+    Scale scale,
+    int all,
+    Map<String, String> titles,
+    List<GradedHandIn> handIns) {
 
   public static final String JSON = "grades.json";
 
@@ -86,14 +94,28 @@ public record Grades(String assignment, Take take, Scale scale, List<GradedHandI
   }
 
   public Grades {
+    titles = Map.copyOf(titles);
     handIns = handIns.stream().sorted(Comparator.comparing(GradedHandIn::folder)).toList();
+  }
+
+  /** Creates the grades of a whole class, on courses without titles. */
+  public Grades(String assignment, Take take, Scale scale, List<GradedHandIn> handIns) {
+    this(assignment, take, scale, handIns.size(), Map.of(), handIns);
+  }
+
+  /** Returns a copy with other hand-ins. */
+  Grades with(List<GradedHandIn> others) {
+    return new Grades(assignment, take, scale, all, titles, others);
   }
 
   /** Returns the grades of several parts of a class as one. The parts share an assignment. */
   static Grades merged(List<Grades> parts) {
-    Grades first = parts.get(0);
-    List<GradedHandIn> all = parts.stream().flatMap(each -> each.handIns.stream()).toList();
-    return new Grades(first.assignment, first.take, first.scale, all);
+    return parts.get(0).with(parts.stream().flatMap(each -> each.handIns.stream()).toList());
+  }
+
+  /** Returns whether all hand-ins of the class are graded. */
+  public boolean complete() {
+    return handIns.size() >= all;
   }
 
   /**

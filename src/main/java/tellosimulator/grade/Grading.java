@@ -29,7 +29,7 @@ public final class Grading implements AutoCloseable {
 
   private final Request request;
   private final Assignment assignment;
-  private final List<GradedCourse> courses;
+  private final List<SeededCourse> courses;
   private volatile Optional<Grader> grader = Optional.empty();
   private volatile boolean closed;
 
@@ -68,7 +68,7 @@ public final class Grading implements AutoCloseable {
     }
   }
 
-  private Grading(Request request, Assignment assignment, List<GradedCourse> courses) {
+  private Grading(Request request, Assignment assignment, List<SeededCourse> courses) {
     this.request = request;
     this.assignment = assignment;
     this.courses = List.copyOf(courses);
@@ -83,7 +83,7 @@ public final class Grading implements AutoCloseable {
   public static Optional<Grading> open(Request request, List<String> errors) {
     try {
       Assignment read = AssignmentFile.read(request.assignment());
-      List<GradedCourse> courses = GradedCourse.of(read, errors);
+      List<SeededCourse> courses = SeededCourse.of(read, errors);
       return errors.isEmpty() ? Optional.of(new Grading(request, read, courses)) : Optional.empty();
     } catch (ScenarioException e) {
       errors.add(e.getMessage());
@@ -98,7 +98,7 @@ public final class Grading implements AutoCloseable {
    */
   public List<HandIn> found() throws IOException {
     try (TemporaryFolder scratch = TemporaryFolder.create("tello-grade")) {
-      return handIns(scratch.path());
+      return selected(handIns(scratch.path()));
     }
   }
 
@@ -118,7 +118,8 @@ public final class Grading implements AutoCloseable {
     Path into = request.into().toAbsolutePath();
     Files.createDirectories(into);
     try (TemporaryFolder scratch = TemporaryFolder.create("tello-grade")) {
-      List<HandIn> handIns = handIns(scratch.path());
+      List<HandIn> all = handIns(scratch.path());
+      List<HandIn> handIns = selected(all);
       Optional<String> obstacle = Confinement.obstacle(scratch.path());
       if (obstacle.isPresent() && assignment.build().isPresent()) {
         throw new IOException("building needs programs to be confined. " + obstacle.get());
@@ -145,15 +146,19 @@ public final class Grading implements AutoCloseable {
         if (closed) {
           grader.ifPresent(Grader::close);
         }
-        Grades grades = started.grade(obstacle.isPresent() ? 1 : jobs);
-        Grades all = request.only().isPresent() ? withOthers(grades, into) : grades;
-        all.write(into);
-        return all;
+        Grades grades = started.grade(all.size(), obstacle.isPresent() ? 1 : jobs);
+        boolean part = request.only().isPresent() || request.shard().of() > 1 || closed;
+        Grades whole = part ? withOthers(grades, into) : grades;
+        whole.write(into);
+        return whole;
       }
     }
   }
 
-  /** Returns the grades together with those of other hand-ins that are in the folder already. */
+  /**
+   * Returns the grades together with those of other hand-ins of the same assignment that are in the
+   * folder already.
+   */
   private static Grades withOthers(Grades grades, Path into) throws IOException {
     if (!Files.exists(into.resolve(Grades.JSON))) {
       return grades;
@@ -161,10 +166,12 @@ public final class Grading implements AutoCloseable {
     Set<String> ours = new HashSet<>();
     grades.handIns().forEach(each -> ours.add(each.folder()));
     Grades before = Grades.read(into);
+    if (!before.assignment().equals(grades.assignment())) {
+      return grades;
+    }
     List<GradedHandIn> others =
         before.handIns().stream().filter(each -> !ours.contains(each.folder())).toList();
-    return Grades.merged(
-        List.of(grades, new Grades(before.assignment(), before.take(), before.scale(), others)));
+    return Grades.merged(List.of(grades, before.with(others)));
   }
 
   private List<Path> hidden(Path into, Path scratch) {
@@ -174,7 +181,7 @@ public final class Grading implements AutoCloseable {
     hidden.add(Files.isDirectory(handIns) ? handIns : handIns.getParent());
     hidden.add(scratch);
     request.roster().ifPresent(roster -> hidden.add(roster.toAbsolutePath().getParent()));
-    for (GradedCourse course : courses) {
+    for (SeededCourse course : courses) {
       Path file = Path.of(course.scenario());
       if (Files.isRegularFile(file)) {
         hidden.add(file.toAbsolutePath().getParent());
@@ -184,12 +191,19 @@ public final class Grading implements AutoCloseable {
   }
 
   private List<HandIn> handIns(Path scratch) throws IOException {
-    List<HandIns.Student> roster =
-        request.roster().isPresent() ? HandIns.roster(request.roster().get()) : List.of();
+    List<Roster.Student> roster =
+        request.roster().isPresent() ? Roster.read(request.roster().get()) : List.of();
     List<HandIn> all = new HandIns(assignment, scratch).collect(request.handIns(), roster);
     if (all.isEmpty()) {
-      throw new IOException(request.handIns() + " contains no hand-ins");
+      throw new IOException(
+          request.handIns()
+              + " contains no hand-ins: expected a folder or a program for each student");
     }
+    return all;
+  }
+
+  /** Returns the hand-ins that are graded. */
+  private List<HandIn> selected(List<HandIn> all) throws IOException {
     List<HandIn> shard =
         IntStream.range(0, all.size())
             .filter(i -> i % request.shard().of() == request.shard().index() - 1)
@@ -271,7 +285,7 @@ public final class Grading implements AutoCloseable {
         handIns.add(handIn.with(flights, before.take(), before.scale()));
       }
     }
-    Grades again = new Grades(before.assignment(), before.take(), before.scale(), handIns);
+    Grades again = before.with(handIns);
     again.write(folder);
     return again;
   }

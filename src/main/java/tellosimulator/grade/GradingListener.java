@@ -10,6 +10,7 @@ public interface GradingListener {
    * Called after a flight.
    *
    * @param handIn the name of the hand-in
+   * @param kept whether it was flown earlier
    */
-  void graded(String handIn, GradedFlight flight);
+  void graded(String handIn, GradedFlight flight, boolean kept);
 }

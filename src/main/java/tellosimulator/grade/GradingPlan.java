@@ -19,7 +19,7 @@ import tellosimulator.scenario.Assignment;
 record GradingPlan(
     Assignment assignment,
     Path file,
-    List<GradedCourse> courses,
+    List<SeededCourse> courses,
     List<String> simulator,
     Path into,
     Path scratch,
@@ -39,6 +39,10 @@ record GradingPlan(
         stash,
         hidden,
         new Confinement.Limits(
-            limits.wall(), limits.output(), limits.memory(), limits.processes(), limits.disk()));
+            limits.wallSeconds(),
+            limits.outputBytes(),
+            limits.memoryMb(),
+            limits.processes(),
+            limits.diskMb()));
   }
 }

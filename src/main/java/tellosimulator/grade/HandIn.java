@@ -2,6 +2,7 @@ package tellosimulator.grade;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import tellosimulator.words.Phrase;
 
 /**
  * What a student handed in. Immutable.
@@ -24,7 +25,7 @@ public record HandIn(
     String original,
     Path files,
     String file,
-    Optional<String> problem) {
+    Optional<Phrase> problem) {
 
   /** Returns why there is no file to start, in the words of {@link GradedFlight#program}. */
   public String obstacle() {

@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
 import tellosimulator.launcher.Confinement;
-import tellosimulator.launcher.Overrun;
+import tellosimulator.launcher.ExceededLimit;
 import tellosimulator.launcher.ProgramRun;
 import tellosimulator.launcher.ProgramRun.Distrust;
 import tellosimulator.launcher.ProgramRun.ExitCodes;
@@ -24,6 +24,7 @@ import tellosimulator.recording.FlightResult;
 import tellosimulator.scenario.Assignment;
 import tellosimulator.scenario.Assignment.Pace;
 import tellosimulator.scenario.Assignment.Setup;
+import tellosimulator.words.Phrase;
 
 /**
  * A flight of a hand-in on a course: a simulator and the program, each in a process. Works on the
@@ -47,7 +48,7 @@ final class HandInFlight implements AutoCloseable {
   private static final List<Integer> NOT_STARTED = List.of(125, 126, 127);
 
   private final GradingPlan plan;
-  private final GradedCourse course;
+  private final SeededCourse course;
   private final Path folder;
   private volatile Optional<ProgramRun> run = Optional.empty();
   private volatile boolean closed;
@@ -57,7 +58,7 @@ final class HandInFlight implements AutoCloseable {
    *
    * @param folder an empty folder for the files of the flight
    */
-  HandInFlight(GradingPlan plan, GradedCourse course, Path folder) {
+  HandInFlight(GradingPlan plan, SeededCourse course, Path folder) {
     this.plan = plan;
     this.course = course;
     this.folder = folder;
@@ -67,9 +68,15 @@ final class HandInFlight implements AutoCloseable {
    * The outcome of a flight.
    *
    * @param program how the program ended
-   * @param time {@code max} or {@code real}
+   * @param time {@code max} or {@code real}; empty if there was no flight
+   * @param problem why there was no flight; empty if {@code program} says it
    */
-  record Outcome(FlightResult result, String program, String time) {}
+  record Outcome(FlightResult result, String program, String time, Optional<Phrase> problem) {
+
+    Outcome(FlightResult result, String program, String time) {
+      this(result, program, time, Optional.empty());
+    }
+  }
 
   /**
    * Flies until the verdict, the end of the program, or a limit.
@@ -140,7 +147,7 @@ final class HandInFlight implements AutoCloseable {
       }
       FlightResult result = result();
       keepRecording();
-      String how = program(started.overrun(), codes.get().program(), result);
+      String how = program(started.exceeded(), codes.get().program(), result);
       return Optional.of(new Outcome(result, how, fast ? "max" : "real"));
     } finally {
       run = Optional.empty();
@@ -152,7 +159,7 @@ final class HandInFlight implements AutoCloseable {
     List<String> words = new ArrayList<>(plan.simulator());
     words.addAll(List.of("--headless", "--exit-when-done", "--await-program"));
     words.addAll(List.of("--scenario", course.scenario(), "--log-level", "warn"));
-    words.addAll(List.of("--timeout", Double.toString(assignment.limits().time())));
+    words.addAll(List.of("--timeout", Double.toString(assignment.limits().simulatedSeconds())));
     words.addAll(List.of("--record", folder.toString()));
     words.addAll(List.of("--result", folder.resolve(RESULT).toString()));
     words.addAll(List.of("--time-factor", fast ? "max" : "1"));
@@ -188,11 +195,12 @@ final class HandInFlight implements AutoCloseable {
     }
   }
 
-  private String program(Optional<Overrun> overrun, OptionalInt code, FlightResult result) {
-    if (overrun.isPresent()) {
-      return switch (overrun.get()) {
+  private String program(Optional<ExceededLimit> exceeded, OptionalInt code, FlightResult result) {
+    if (exceeded.isPresent()) {
+      return switch (exceeded.get()) {
         case TIME ->
-            String.format(Locale.ROOT, "killed after %.0f s", plan.assignment().limits().wall());
+            String.format(
+                Locale.ROOT, "killed after %.0f s", plan.assignment().limits().wallSeconds());
         case OUTPUT -> "killed: too much output";
         case MEMORY -> "killed: too much memory";
         case PROCESSES -> "killed: too many processes";

@@ -29,6 +29,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
 import tellosimulator.scenario.Assignment;
+import tellosimulator.words.Phrase;
 
 /**
  * Collects the hand-ins of a class: folders, single files, or a zip of these. Each is copied, so
@@ -59,13 +60,16 @@ final class HandIns {
   /** Maximum length of the name of a folder that is made here. Decided: fits in a file's name. */
   private static final int LONGEST_FOLDER = 60;
 
-  private static final String DAMAGED =
-      "zip is damaged or encrypted, or its names are not in UTF-8";
+  private static final Phrase DAMAGED =
+      Phrase.of("The zip is damaged or encrypted, or its names are not in UTF-8.");
+
+  private static final Phrase IMPOSSIBLE =
+      Phrase.of("The zip has a file whose name is not possible here.");
 
   private final Assignment assignment;
   private final Path into;
   private final long mostBytes;
-  private final Map<String, String> problems = new HashMap<>();
+  private final Map<String, Phrase> problems = new HashMap<>();
   private long bytes;
   private int files;
 
@@ -77,11 +81,8 @@ final class HandIns {
   HandIns(Assignment assignment, Path into) {
     this.assignment = assignment;
     this.into = into;
-    this.mostBytes = (long) assignment.limits().disk() << 20;
+    this.mostBytes = (long) assignment.limits().diskMb() << 20;
   }
-
-  /** A row of a roster. */
-  record Student(String name, String id, String group) {}
 
   /**
    * Collects all hand-ins.
@@ -90,14 +91,20 @@ final class HandIns {
    * @param roster the students of the class, who get a row even if they handed in nothing
    * @throws IOException if the folder or the zip cannot be read
    */
-  List<HandIn> collect(Path from, List<Student> roster) throws IOException {
+  List<HandIn> collect(Path from, List<Roster.Student> roster) throws IOException {
+    if (!Files.exists(from)) {
+      throw new IOException(
+          from + " does not exist: expected a folder with hand-ins, a zip, or one program");
+    }
     Path root = into.resolve("all");
     Files.createDirectories(root);
     if (Files.isRegularFile(from) && isZip(from)) {
       try {
         unzip(from, root, true);
       } catch (ZipException e) {
-        throw new IOException("the " + DAMAGED, e);
+        throw new IOException(
+            from + " is no zip, or it is damaged, encrypted, or has names that are not in UTF-8",
+            e);
       }
     } else if (Files.isRegularFile(from)) {
       copyOne(from, root.resolve(from.getFileName()), from.getFileName().toString());
@@ -119,20 +126,23 @@ final class HandIns {
     try {
       copyOne(from, root.resolve(name), name);
     } catch (FileSystemException | UncheckedIOException e) {
-      refuse(root, name, "Some of its files cannot be read, or their names are not possible here.");
+      refuse(
+          root,
+          name,
+          Phrase.of("Some of its files cannot be read, or their names are not possible here."));
     }
   }
 
-  private List<HandIn> handIns(Path root, List<Student> roster) throws IOException {
+  private List<HandIn> handIns(Path root, List<Roster.Student> roster) throws IOException {
     Map<String, HandIn> found = new TreeMap<>();
-    List<Student> missing = new ArrayList<>(roster);
+    List<Roster.Student> missing = new ArrayList<>(roster);
     try (Stream<Path> children = Files.list(root)) {
       for (Path child : children.sorted().toList()) {
         HandIn handIn = handIn(child, missing, found::containsKey);
         found.put(handIn.folder(), handIn);
       }
     }
-    for (Student student : missing) {
+    for (Roster.Student student : missing) {
       String folder = unique(student.name(), found::containsKey);
       found.put(
           folder,
@@ -144,7 +154,7 @@ final class HandIns {
               "",
               root,
               "",
-              Optional.of("Nothing was handed in.")));
+              Optional.of(Phrase.of("Nothing was handed in."))));
     }
     return List.copyOf(found.values());
   }
@@ -154,27 +164,27 @@ final class HandIns {
    *
    * @param missing the students whose hand-ins have not been found yet; that of this one is removed
    */
-  private HandIn handIn(Path child, List<Student> missing, Function<String, Boolean> taken)
+  private HandIn handIn(Path child, List<Roster.Student> missing, Function<String, Boolean> taken)
       throws IOException {
     String original = child.getFileName().toString();
     Matcher moodle = MOODLE.matcher(original);
     boolean ofMoodle = moodle.matches();
     String name = ofMoodle ? moodle.group("name") : original.replaceFirst("\\.[A-Za-z]+$", "");
     String id = ofMoodle ? moodle.group("id") : "";
-    Optional<Student> student =
+    Optional<Roster.Student> student =
         missing.stream()
             .filter(each -> !each.id().isEmpty() && List.of(id, name).contains(each.id()))
             .findFirst()
             .or(() -> missing.stream().filter(each -> each.name().equals(name)).findFirst());
     student.ifPresent(missing::remove);
-    String folder = unique(student.map(Student::name).orElse(name), taken);
+    String folder = unique(student.map(Roster.Student::name).orElse(name), taken);
     Path own = folderOf(child, original);
     Optional<String> file = entry(own);
-    Optional<String> problem = Optional.ofNullable(problems.get(original));
+    Optional<Phrase> problem = Optional.ofNullable(problems.get(original));
     return new HandIn(
-        student.map(Student::name).orElse(name),
-        student.map(Student::id).filter(known -> !known.isEmpty()).orElse(id),
-        student.map(Student::group).orElse(""),
+        student.map(Roster.Student::name).orElse(name),
+        student.map(Roster.Student::id).filter(known -> !known.isEmpty()).orElse(id),
+        student.map(Roster.Student::group).orElse(""),
         folder,
         original,
         own,
@@ -198,10 +208,10 @@ final class HandIns {
     files = 0;
     if (packed) {
       try {
-        Optional<String> problem = unzip(inside.get(0), own, false);
+        Optional<Phrase> problem = unzip(inside.get(0), own, false);
         problem.ifPresent(sentence -> problems.put(original, sentence));
       } catch (ZipException e) {
-        problems.put(original, "The " + DAMAGED + ".");
+        problems.put(original, DAMAGED);
       }
     } else if (!inside.isEmpty()) {
       Matcher moodle = MOODLE.matcher(original);
@@ -262,7 +272,7 @@ final class HandIns {
         boolean leftOut =
             Stream.iterate(relative, part -> part != null, Path::getParent)
                 .anyMatch(part -> LEFT_OUT.matcher(part.getFileName().toString()).matches());
-        Optional<String> problem =
+        Optional<Phrase> problem =
             leftOut ? Optional.empty() : copy(from, each, to.resolve(relative));
         if (problem.isPresent()) {
           problems.put(name, problem.get());
@@ -273,7 +283,7 @@ final class HandIns {
     }
   }
 
-  private Optional<String> copy(Path root, Path from, Path to) throws IOException {
+  private Optional<Phrase> copy(Path root, Path from, Path to) throws IOException {
     if (Files.isDirectory(from, LinkOption.NOFOLLOW_LINKS)) {
       Files.createDirectories(to);
       return Optional.empty();
@@ -282,10 +292,12 @@ final class HandIns {
       boolean within = Files.isRegularFile(from) && from.toRealPath().startsWith(root.toRealPath());
       if (!within) {
         return Optional.of(
-            "The link or device \"" + root.relativize(from) + "\" leads out of the hand-in.");
+            Phrase.of(
+                "The link or device \"%s\" leads out of the hand-in.",
+                root.relativize(from).toString()));
       }
     }
-    Optional<String> problem = tooMuch(Files.size(from));
+    Optional<Phrase> problem = tooMuch(Files.size(from));
     if (problem.isEmpty()) {
       Files.createDirectories(to.getParent());
       Files.copy(from, to);
@@ -293,11 +305,14 @@ final class HandIns {
     return problem;
   }
 
-  private Optional<String> tooMuch(long more) {
+  private Optional<Phrase> tooMuch(long more) {
     bytes += more;
     files++;
     return bytes > mostBytes || files > MOST_FILES
-        ? Optional.of("It is larger than " + (mostBytes >> 20) + " MB or " + MOST_FILES + " files.")
+        ? Optional.of(
+            Phrase.of(
+                "It is larger than %s MB or %s files.",
+                Long.toString(mostBytes >> 20), Integer.toString(MOST_FILES)))
         : Optional.empty();
   }
 
@@ -308,7 +323,7 @@ final class HandIns {
    * @return why the zip was refused, as a sentence; empty if it was not
    * @throws ZipException if nothing was unpacked, because it is no complete zip
    */
-  private Optional<String> unzip(Path zip, Path root, boolean many) throws IOException {
+  private Optional<Phrase> unzip(Path zip, Path root, boolean many) throws IOException {
     Map<String, long[]> sizes = new LinkedHashMap<>();
     try (ZipFile all = new ZipFile(zip.toFile(), StandardCharsets.UTF_8)) {
       for (ZipEntry entry : all.stream().toList()) {
@@ -322,7 +337,7 @@ final class HandIns {
         long[] size = sizes.computeIfAbsent(owner, key -> new long[2]);
         bytes = size[0];
         files = (int) size[1];
-        Optional<String> problem = unzip(all, entry, name, root.normalize());
+        Optional<Phrase> problem = unzip(all, entry, name, root.normalize());
         size[0] = bytes;
         size[1] = files;
         if (problem.isPresent() && !many) {
@@ -337,7 +352,7 @@ final class HandIns {
   }
 
   /** Notes why a hand-in is not accepted, and makes sure that it has a row. */
-  private void refuse(Path root, String owner, String sentence) throws IOException {
+  private void refuse(Path root, String owner, Phrase sentence) throws IOException {
     boolean tooLong = owner.getBytes(StandardCharsets.UTF_8).length > LONGEST_NAME;
     String row = tooLong ? owner.substring(0, LONGEST_FOLDER) : owner;
     problems.put(owner, sentence);
@@ -352,29 +367,30 @@ final class HandIns {
    *
    * @return why it was refused, as a sentence; empty if it was not
    */
-  private Optional<String> unzip(ZipFile zip, ZipEntry entry, String name, Path root)
+  private Optional<Phrase> unzip(ZipFile zip, ZipEntry entry, String name, Path root)
       throws IOException {
     try (InputStream in = zip.getInputStream(entry)) {
       return unzip(in, name, root);
     } catch (ZipException | EOFException e) {
-      return Optional.of("The file \"" + name + "\" of the zip is damaged.");
+      return Optional.of(Phrase.of("The file \"%s\" of the zip is damaged.", name));
     } catch (FileSystemException e) {
-      return Optional.of("The zip has a file whose name is not possible here.");
+      return Optional.of(IMPOSSIBLE);
     }
   }
 
-  private Optional<String> unzip(InputStream in, String name, Path root) throws IOException {
+  private Optional<Phrase> unzip(InputStream in, String name, Path root) throws IOException {
     Path to;
     try {
       to = root.resolve(name).normalize();
     } catch (InvalidPathException e) {
-      return Optional.of("The zip has a file whose name is not possible here.");
+      return Optional.of(IMPOSSIBLE);
     }
     if (!to.startsWith(root) || to.equals(root)) {
-      return Optional.of("The zip has a file that would be written outside of its folder.");
+      return Optional.of(
+          Phrase.of("The zip has a file that would be written outside of its folder."));
     }
     Files.createDirectories(to.getParent());
-    Optional<String> problem = tooMuch(0);
+    Optional<Phrase> problem = tooMuch(0);
     byte[] buffer = new byte[8192];
     try (OutputStream out = Files.newOutputStream(to)) {
       for (int n = in.read(buffer); n >= 0 && problem.isEmpty(); n = in.read(buffer)) {
@@ -384,58 +400,5 @@ final class HandIns {
       }
     }
     return problem;
-  }
-
-  /**
-   * Reads a roster: a CSV file with the columns name, id and group, of which the last two may be
-   * missing, with or without a heading. Cells are separated by semicolons if the first line has
-   * one.
-   *
-   * @throws IOException if the file cannot be read
-   */
-  static List<Student> roster(Path file) throws IOException {
-    List<Student> students = new ArrayList<>();
-    for (List<String> cells : rows(Files.readString(file).replace("\uFEFF", ""))) {
-      String name = cells.get(0);
-      boolean heading = students.isEmpty() && name.equalsIgnoreCase("name");
-      if (!heading && !name.isEmpty()) {
-        students.add(
-            new Student(
-                name, cells.size() > 1 ? cells.get(1) : "", cells.size() > 2 ? cells.get(2) : ""));
-      }
-    }
-    return students;
-  }
-
-  /** Returns the cells of a table. Documented: RFC 4180. */
-  private static List<List<String>> rows(String text) {
-    char separator = text.lines().findFirst().orElse("").contains(";") ? ';' : ',';
-    List<List<String>> rows = new ArrayList<>();
-    List<String> row = new ArrayList<>();
-    StringBuilder cell = new StringBuilder();
-    boolean quoted = false; // whether the cell began with a quotation mark
-    boolean within = false;
-    char before = separator;
-    for (char c : (text + "\n").toCharArray()) {
-      if (c == '"' && (quoted || cell.toString().isBlank())) {
-        if (quoted && !within && before == '"') {
-          cell.append(c); // two of them are one
-        }
-        quoted = true;
-        within = !within;
-      } else if (!within && (c == separator || c == '\n')) {
-        row.add(cell.toString().strip());
-        cell.setLength(0);
-        quoted = false;
-        if (c == '\n') {
-          rows.add(row);
-          row = new ArrayList<>();
-        }
-      } else {
-        cell.append(c);
-      }
-      before = c;
-    }
-    return rows;
   }
 }

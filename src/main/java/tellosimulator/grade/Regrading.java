@@ -39,20 +39,19 @@ public final class Regrading {
     Assignment read = AssignmentFile.read(assignment);
     RecordedFlight outline = RecordedFlight.readOutline(recording);
     long seed = outline.run().seed().orElse(0L);
-    Optional<List<String>> flown = outline.scenario().map(Scenario::challenge).map(Regrading::goals);
+    Optional<List<String>> flown =
+        outline.scenario().map(Scenario::challenge).map(Regrading::goals);
     for (AssignedCourse course : read.courses()) {
       OpenedScenario drawn = OpenedScenario.named(course.scenario()).drawnFrom(seed);
       if (flown.filter(goals(drawn.scenario().challenge())::equals).isPresent()) {
-        String name = GradedCourse.name(course.scenario());
+        String name = SeededCourse.name(course.scenario());
         try (TemporaryFolder scratch = TemporaryFolder.create("tello-grade")) {
           FlightResult result = judged(recording, scratch.path());
           GradedFlight flight = new GradedFlight(name, seed, 1, result, "", "", 0, ".");
           String title = recording.getFileName().toString();
           HandIn handIn = new HandIn(title, "", "", "", title, recording, "", Optional.empty());
-          GradedHandIn graded =
-              GradedHandIn.of(handIn, List.of(flight), read.take(), read.scale());
-          return Optional.of(
-              new Grades(read.name(), read.take(), read.scale(), List.of(graded)));
+          GradedHandIn graded = GradedHandIn.of(handIn, List.of(flight), read.take(), read.scale());
+          return Optional.of(new Grades(read.name(), read.take(), read.scale(), List.of(graded)));
         }
       }
     }

@@ -36,20 +36,20 @@ final class LimitWatch {
    *
    * @param printed the size of its output so far [bytes]
    */
-  Optional<Overrun> exceeded(Process flying, long printed) {
+  Optional<ExceededLimit> exceeded(Process flying, long printed) {
     List<ProcessHandle> processes = flying.descendants().toList();
     if (watch.seconds() >= limits.seconds()) {
-      return Optional.of(Overrun.TIME);
+      return Optional.of(ExceededLimit.TIME);
     }
     if (printed > 10L * limits.outputBytes()) {
-      return Optional.of(Overrun.OUTPUT);
+      return Optional.of(ExceededLimit.OUTPUT);
     }
     if (processes.size() - 1 > limits.processes()) { // the first one is that of the namespace
-      return Optional.of(Overrun.PROCESSES);
+      return Optional.of(ExceededLimit.PROCESSES);
     }
     long resident = processes.stream().mapToLong(LimitWatch::resident).sum();
     return resident > (long) limits.memoryMb() << 20
-        ? Optional.of(Overrun.MEMORY)
+        ? Optional.of(ExceededLimit.MEMORY)
         : Optional.empty();
   }
 

@@ -54,7 +54,7 @@ public final class ProgramRun implements AutoCloseable {
   private volatile Optional<Process> simulator = Optional.empty();
   private volatile Optional<Process> program = Optional.empty();
   private volatile boolean terminated;
-  private volatile Optional<Overrun> overrun = Optional.empty();
+  private volatile Optional<ExceededLimit> exceeded = Optional.empty();
 
   /**
    * The commands of a run.
@@ -209,12 +209,12 @@ public final class ProgramRun implements AutoCloseable {
     Optional<LimitWatch> watch =
         plan.distrust().map(each -> new LimitWatch(each.confinement().limits()));
     while (flown.isAlive()
-        && overrun.isEmpty()
+        && exceeded.isEmpty()
         && !flying.waitFor(NOTICE_MS, TimeUnit.MILLISECONDS)) {
       long printed = copy.map(BoundedCopy::printed).orElse(0L);
-      overrun = watch.flatMap(each -> each.exceeded(flying, printed));
+      exceeded = watch.flatMap(each -> each.exceeded(flying, printed));
     }
-    if (overrun.isPresent() && overrun.get() != Overrun.TIME) {
+    if (exceeded.isPresent() && exceeded.get() != ExceededLimit.TIME) {
       kill(flying); // it must not go on for two seconds
     } else if (flying.isAlive()) {
       terminate(flying);
@@ -279,8 +279,8 @@ public final class ProgramRun implements AutoCloseable {
   }
 
   /** Returns the limit because of which the program was killed; empty if there is none. */
-  public Optional<Overrun> overrun() {
-    return overrun;
+  public Optional<ExceededLimit> exceeded() {
+    return exceeded;
   }
 
   /** Whether {@link #interrupt} has been called. */

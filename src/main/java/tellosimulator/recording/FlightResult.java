@@ -24,8 +24,7 @@ import tellosimulator.words.Phrase;
  * The result of a run of the simulator, which it writes for other programs. Immutable.
  *
  * @param verdict {@code reached}, {@code failed}, {@code missed}, or {@link #NOT_FLOWN}
- * @param reason why the goals were not reached, as part of a sentence; why there was no flight, as
- *     a sentence
+ * @param reason why the goals were not reached, as part of a sentence
  * @param seconds duration of the flight from the first takeoff [simulated s]
  * @param score the points; empty if the scenario gives none
  * @param commands number of commands that the program sent
@@ -147,12 +146,6 @@ public record FlightResult(
             .map(each -> new ScoreEntry(Json.rounded(each.second()), each.points(), each.why().english()))
             .toList();
     return new ScoreResult(score.points(), score.of(), entries);
-  }
-
-  /** Returns a copy with another reason. */
-  public FlightResult because(Optional<String> other) {
-    return new FlightResult(
-        verdict, other, seconds, goals, score, commands, refused, touches, crashes);
   }
 
   /** Returns the number of goals that were reached. */

@@ -55,7 +55,9 @@ final class ClassPage {
     double mean = all.stream().mapToDouble(GradedHandIn::percent).average().orElse(0);
     Stream<Markup> summary =
         Stream.of(
-            FeedbackPage.badge("", words.of("class.hand-ins", all.size())),
+            grades.complete()
+                ? FeedbackPage.badge("", words.of("class.hand-ins", all.size()))
+                : FeedbackPage.badge("bad", words.of("class.partial", all.size(), grades.all())),
             FeedbackPage.badge("good", words.of("class.passed", passed, all.size())),
             FeedbackPage.badge("", words.of("class.mean", mean)));
     Markup link =
@@ -148,7 +150,7 @@ final class ClassPage {
           case "missed" -> "%s <span class=\"muted\" title=\"%s\">○</span>";
           default -> "%s <span class=\"bad\" title=\"%s\">–</span>";
         };
-    String verdict = words.verdict(course.best().result());
+    String verdict = words.verdict(course.best());
     return number(course.points(), "", Markup.of(template, words.number(course.points()), verdict));
   }
 
@@ -240,7 +242,7 @@ final class ClassPage {
             + "<rect class=\"ground\" width=\"100\" height=\"8\"/>"
             + "<rect class=\"passed\" width=\"%s\" height=\"8\"/></svg>"
             + "<span class=\"of\">%s</span></li>",
-        goal.course,
+        words.title(goal.course),
         goal.number,
         tasks.size() == 1 ? words.said(tasks.get(0)) : words.of("class.goal-varies"),
         Math.round(100 * goal.share()),

@@ -29,7 +29,6 @@ public final class ClassReport {
   /** The page for the author of a hand-in. */
   public static final String FEEDBACK = "feedback.html";
 
-
   private final Grades grades;
   private final Path folder;
   private final GradeWords words;
@@ -60,9 +59,7 @@ public final class ClassReport {
 
   /** Returns the folder with the feedback on a hand-in; if it has no name, that of the results. */
   Path feedback(GradedHandIn handIn) {
-    return handIn.folder().isEmpty()
-        ? folder
-        : folder.resolve("feedback").resolve(handIn.folder());
+    return handIn.folder().isEmpty() ? folder : folder.resolve("feedback").resolve(handIn.folder());
   }
 
   /**

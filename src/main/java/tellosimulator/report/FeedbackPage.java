@@ -84,7 +84,7 @@ final class FeedbackPage {
         words.points(result.points(), result.of()),
         good ? "good" : "bad",
         good ? "✓" : "✕",
-        Markup.quoted(words.verdict(result)),
+        Markup.quoted(words.verdict(flight)),
         GradeWords.ran(flight) ? "" : "bad",
         words.program(flight),
         link(flight),

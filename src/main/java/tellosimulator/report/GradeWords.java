@@ -32,10 +32,13 @@ final class GradeWords {
   private final Take take;
   private final Map<String, Phrase> phrases = new HashMap<>();
   private final Set<String> severalSeeds = new HashSet<>();
+  private final Map<String, String> titles;
 
   GradeWords(Grades grades, ReportTexts texts) {
     this.texts = texts;
     this.take = grades.take();
+    boolean unique = Set.copyOf(grades.titles().values()).size() == grades.titles().size();
+    this.titles = unique ? grades.titles() : Map.of();
     Map<String, Long> seeds = new HashMap<>();
     for (GradedHandIn handIn : grades.handIns()) {
       for (GradedFlight flight : handIn.flights()) {
@@ -91,11 +94,17 @@ final class GradeWords {
     return CourseGrade.all(handIn.flights(), take);
   }
 
-  /** Returns the name of a course, with its seed if it is flown with several. */
+  /** Returns the title of a course, given its name. */
+  String title(String course) {
+    return titles.getOrDefault(course, course);
+  }
+
+  /** Returns the title of a course, with its seed if it is flown with several. */
   String name(CourseGrade course) {
+    String title = title(course.course());
     return severalSeeds.contains(course.course())
-        ? texts.of("grade.course", course.course(), course.seed())
-        : course.course();
+        ? texts.of("grade.course", title, course.seed())
+        : title;
   }
 
   /** Returns the time of the best flights of a hand-in [simulated s]. */
@@ -113,13 +122,15 @@ final class GradeWords {
   }
 
   /** Returns the verdict as a sentence. */
-  String verdict(FlightResult result) {
+  String verdict(GradedFlight flight) {
+    FlightResult result = flight.result();
     return switch (result.verdict()) {
       case "reached" -> texts.of("verdict.reached", seconds(result.seconds()));
       case "failed" -> texts.of("verdict.failed", said(result.reason().orElse("–")));
       case "missed" -> texts.of("verdict.missed", result.reached(), result.goals().size());
       default ->
-          texts.of("verdict.not-flown") + result.reason().map(why -> " " + said(why)).orElse("");
+          texts.of("verdict.not-flown")
+              + flight.problem().map(why -> " " + texts.say(why)).orElse("");
     };
   }
 
@@ -148,7 +159,7 @@ final class GradeWords {
         String attempt = texts.of("grade.attempt", flight.attempt());
         lines.add(attempt + ": " + points(result.points(), result.of()));
       }
-      lines.add(verdict(result));
+      lines.add(verdict(flight));
       lines.add(program(flight));
       for (ScoreEntry entry : entries(result)) {
         lines.add(signed(entry) + " · " + seconds(entry.second()) + ": " + said(entry.why()));

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import tellosimulator.grade.CourseGrade;
 import tellosimulator.grade.GradedFlight;
@@ -22,17 +23,18 @@ record GraderResults(ClassReport report, GradeWords words, GradedHandIn handIn) 
    */
   private static final String REPLACED_TIME = "1970-01-01T00:00:00Z";
 
-  /** Describes a hand-in for another system. */
-  private interface Form {
-    String text(GraderResults results);
-  }
-
-  private static List<Path> write(ClassReport report, String folder, String file, Form form)
+  /**
+   * Writes a file for each hand-in.
+   *
+   * @param folder the folder of the format, in that of the results
+   */
+  static List<Path> write(
+      ClassReport report, String folder, String file, Function<GraderResults, String> form)
       throws IOException {
     List<Path> written = new ArrayList<>();
     for (GradedHandIn handIn : report.grades().handIns()) {
       Path to = report.folder().resolve(folder).resolve(handIn.folder()).resolve(file);
-      ClassReport.write(to, form.text(new GraderResults(report, report.words(), handIn)) + "\n");
+      ClassReport.write(to, form.apply(new GraderResults(report, report.words(), handIn)) + "\n");
       written.add(to);
     }
     return written;
@@ -43,11 +45,7 @@ record GraderResults(ClassReport report, GradeWords words, GradedHandIn handIn) 
   }
 
   /** Source: Gradescope, Autograder Specifications. */
-  static List<Path> gradescope(ClassReport report) throws IOException {
-    return write(report, "gradescope", "results.json", GraderResults::gradescope);
-  }
-
-  private String gradescope() {
+  String gradescope() {
     List<Object> tests = new ArrayList<>();
     for (CourseGrade course : words.courses(handIn)) {
       tests.add(
@@ -73,11 +71,7 @@ record GraderResults(ClassReport report, GradeWords words, GradedHandIn handIn) 
   }
 
   /** Source: Classroom 50, result-v1.schema.json and the page Advanced Autograding. */
-  static List<Path> classroom50(ClassReport report) throws IOException {
-    return write(report, "classroom50", "result.json", GraderResults::classroom50);
-  }
-
-  private String classroom50() {
+  String classroom50() {
     List<Map<String, Object>> tests = new ArrayList<>();
     for (CourseGrade course : words.courses(handIn)) {
       int most = (int) Math.max(0, Math.round(course.of()));
@@ -121,11 +115,7 @@ record GraderResults(ClassReport report, GradeWords words, GradedHandIn handIn) 
   }
 
   /** The only line is what the grader must print last. Source: Autolab, Guide for Lab Authors. */
-  static List<Path> autolab(ClassReport report) throws IOException {
-    return write(report, "autolab", "scores.json", GraderResults::autolab);
-  }
-
-  private String autolab() {
+  String autolab() {
     Map<String, Object> scores = new LinkedHashMap<>();
     words
         .courses(handIn)
@@ -136,11 +126,7 @@ record GraderResults(ClassReport report, GradeWords words, GradedHandIn handIn) 
   }
 
   /** Source: CodeRunner, "Combinator-template grading", and combinator_grader_outcome.php. */
-  static List<Path> codeRunner(ClassReport report) throws IOException {
-    return write(report, "coderunner", "result.json", GraderResults::codeRunner);
-  }
-
-  private String codeRunner() {
+  String codeRunner() {
     List<Object> rows = new ArrayList<>();
     String points = words.of("class.points");
     rows.add(List.of("iscorrect", words.of("grade.column"), points, words.of("feedback.points")));

@@ -100,7 +100,7 @@ final class JUnitXml {
             "%s>\n      <%s message=\"%s\" type=\"%s\">%s</%s>\n    </testcase>",
             test,
             outcome,
-            words.verdict(result),
+            words.verdict(course.best()),
             flown ? result.verdict() : course.best().program(),
             words.reasons(course),
             outcome);

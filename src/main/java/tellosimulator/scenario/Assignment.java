@@ -91,14 +91,20 @@ public record Assignment(
   /**
    * The limits of each flight.
    *
-   * @param wall maximum duration of the program [s of real time]
-   * @param time maximum duration of the flight [simulated s]
-   * @param output maximum size of the output that is kept [bytes]
-   * @param memory maximum memory of all processes of the program [MB]
+   * @param wallSeconds maximum duration of the program [s of real time]
+   * @param simulatedSeconds maximum duration of the flight
+   * @param outputBytes maximum size of the output that is kept
+   * @param memoryMb maximum memory of all processes of the program
    * @param processes maximum number of processes of the program
-   * @param disk maximum size of the program's files [MB]
+   * @param diskMb maximum size of the program's files
    */
-  public record Limits(double wall, double time, int output, int memory, int processes, int disk) {
+  public record Limits(
+      double wallSeconds,
+      double simulatedSeconds,
+      int outputBytes,
+      int memoryMb,
+      int processes,
+      int diskMb) {
 
     /** Decided: for flights of a minute or two, on machines that fly several at once. */
     public static final Limits DEFAULT = new Limits(120, 300, 1_000_000, 1024, 64, 100);

@@ -4,10 +4,13 @@ import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
 import org.snakeyaml.engine.v2.nodes.Node;
@@ -32,6 +35,9 @@ final class AssignmentCodec extends RecordCodec<Assignment> {
   /** Files that are started if an assignment names none. Decided: the usual languages. */
   private static final List<String> USUAL_ENTRIES =
       List.of("fly.py", "Fly.java", "*.py", "*.java", "*.jar", "*.js");
+
+  /** Commands that start an interpreter without any file. */
+  private static final Pattern FILELESS = Pattern.compile("(python3?|java|node)(\\s+-\\S*)*");
 
   private static final int MOST_COURSES = 100;
 
@@ -88,6 +94,19 @@ final class AssignmentCodec extends RecordCodec<Assignment> {
   }
 
   private void check(Entries in) {
+    List<String> scenarios = in.get(courses).stream().map(AssignedCourse::scenario).toList();
+    scenarios.stream()
+        .filter(each -> Collections.frequency(scenarios, each) > 1)
+        .findFirst()
+        .ifPresent(
+            each ->
+                in.diagnostic(
+                    courses,
+                    Phrase.of("the course %s is there twice: list its seeds in one place", each)));
+    if (in.find(command).filter(each -> FILELESS.matcher(each).matches()).isPresent()) {
+      in.diagnostic(
+          command, Phrase.of("the command starts no file: write {file} where its name belongs"));
+    }
     int flights =
         in.get(courses).stream().mapToInt(each -> Math.max(1, each.seeds().size())).sum()
             * in.get(attempts);
@@ -146,26 +165,29 @@ final class AssignmentCodec extends RecordCodec<Assignment> {
         limit(
             codec.key("wall", "Maximum real time for the program, in seconds."),
             seconds,
-            Limits::wall);
+            Limits::wallSeconds);
     Field<Limits, Double> time =
-        limit(codec.key("time", "Simulated seconds for the flight."), seconds, Limits::time);
+        limit(
+            codec.key("time", "Simulated seconds for the flight."),
+            seconds,
+            Limits::simulatedSeconds);
     Field<Limits, Integer> output =
         limit(
             codec.key("output", "Bytes that are kept of what it prints."),
             count(1000, 100_000_000),
-            Limits::output);
+            Limits::outputBytes);
     Field<Limits, Integer> memory =
         limit(
             codec.key("memory", "Megabytes for all its processes."),
             count(16, 1_000_000),
-            Limits::memory);
+            Limits::memoryMb);
     Field<Limits, Integer> processes =
         limit(
             codec.key("processes", "Maximum number of processes at a time."),
             count(1, 10_000),
             Limits::processes);
     Field<Limits, Integer> disk =
-        limit(codec.key("disk", "Megabytes for its files."), count(1, 2000), Limits::disk);
+        limit(codec.key("disk", "Megabytes for its files."), count(1, 2000), Limits::diskMb);
     return codec.made(
         in ->
             new Limits(
@@ -207,6 +229,12 @@ final class AssignmentCodec extends RecordCodec<Assignment> {
         codec
             .key("passed-from", "Minimum percentage to pass.")
             .usual(percent.or(Scale.DEFAULT.passedFrom()), Scale::passedFrom);
+    codec.checked(
+        in -> {
+          if (in.nodes().containsKey("to") && in.get(from).equals(in.get(to))) {
+            in.diagnostic(to, Phrase.of("a scale needs two different grades"));
+          }
+        });
     codec.add(Case.of("kind", "range").needs("from", "to"));
     codec.add(Case.without("kind").excludes("from", "to"));
     codec.add(Case.of("kind", "percent").excludes("from", "to"));
@@ -239,6 +267,15 @@ final class AssignmentCodec extends RecordCodec<Assignment> {
           codec
               .key("seeds", "Seeds with which it is flown.")
               .usual(SEEDS.or(List.of()), AssignedCourse::seeds);
+      codec.checked(
+          in -> {
+            List<Long> given = in.get(seeds);
+            if (in.nodes().containsKey("seeds") && given.isEmpty()) {
+              in.diagnostic(seeds, Phrase.of("expected at least one seed, found none"));
+            } else if (new HashSet<>(given).size() < given.size()) {
+              in.diagnostic(seeds, Phrase.of("a seed is there twice"));
+            }
+          });
       return codec.made(in -> new AssignedCourse(in.get(scenario), in.get(seeds)));
     }
 

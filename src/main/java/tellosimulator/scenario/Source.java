@@ -105,7 +105,7 @@ final class Source {
       Parser parser = new ParserImpl(settings, new StreamReader(settings, text));
       Optional<Node> root = new Composer(settings, new BoundedParser(parser)).getSingleNode();
       if (root.isEmpty()) {
-        diagnostics.add(new Place(1, 1), Phrase.of("expected a scenario, found nothing"));
+        diagnostics.add(new Place(1, 1), Phrase.of("the file is empty"));
       }
       return root;
     } catch (BoundedParser.ExceededException e) {

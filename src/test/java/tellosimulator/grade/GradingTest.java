@@ -2,10 +2,12 @@ package tellosimulator.grade;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -13,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.recording.FlightResult;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
+import tellosimulator.words.Phrase;
 
 /** Grades hand-ins with simulators that fail. */
 class GradingTest {
@@ -30,8 +33,8 @@ class GradingTest {
     }
 
     @Override
-    public synchronized void graded(String handIn, GradedFlight flight) {
-      flights.add(handIn + ": " + flight.program());
+    public synchronized void graded(String handIn, GradedFlight flight, boolean kept) {
+      flights.add(handIn + ": " + flight.program() + (kept ? " (kept)" : ""));
     }
   }
 
@@ -39,25 +42,8 @@ class GradingTest {
   @Tag("process")
   @NeedsTool(Tool.SH)
   void aSimulatorThatFailsBlocksNoOtherHandInAndIsStartedAgain() throws Exception {
-    Files.writeString(
-        folder.resolve("course.yaml"), "goals:\n  - land: {at: [0, 0], radius: 30, points: 5}\n");
-    Path assignment =
-        Files.writeString(
-            folder.resolve("a.yaml"), "name: A\ncourses: [course.yaml]\nentry: a.py\n");
-    for (String file : List.of("Ann/a.py", "Bob/b.py", "Eve/a.py")) {
-      Path path = folder.resolve("hand-ins").resolve(file);
-      Files.createDirectories(path.getParent());
-      Files.writeString(path, "pass\n");
-    }
-    Path into = folder.resolve("grades");
-    Grading.Request request =
-        new Grading.Request(
-            assignment,
-            folder.resolve("hand-ins"),
-            into,
-            Optional.empty(),
-            Optional.empty(),
-            Grading.Shard.ALL);
+    Grading.Request request = request(Grading.Shard.ALL, "Ann/a.py", "Bob/b.py", "Eve/a.py");
+    Path into = request.into();
     List<String> simulator = List.of("sh", "-c", "echo out of memory >&2; exit 70");
 
     for (int run = 1; run <= 2; run++) {
@@ -69,16 +55,52 @@ class GradingTest {
             .containsExactly(
                 "3 flights",
                 "Ann: simulator failed",
-                "Bob: no entry file",
+                "Bob: no entry file" + (run == 1 ? "" : " (kept)"),
                 "Eve: simulator failed");
         assertThat(Grades.read(into)).isEqualTo(grades);
-        FlightResult result = grades.handIns().get(0).flights().get(0).result();
-        assertThat(result.reason())
+        GradedFlight flight = grades.handIns().get(0).flights().get(0);
+        assertThat(flight.problem().map(Phrase::english))
             .contains("The flight could not be graded: the simulator failed: out of memory.");
-        assertThat(result.of()).isEqualTo(5);
+        assertThat(flight.result().of()).isEqualTo(5);
       }
     }
     assertThat(into.resolve("recordings/Ann/course-1-1/flight.json")).doesNotExist();
     assertThat(into.resolve("recordings/Bob/course-1-1/flight.json")).exists();
+  }
+
+  @Test
+  void aSecondShardIsAddedToTheFirst() throws Exception {
+    for (int part = 1; part <= 2; part++) {
+      Grading.Request request = request(new Grading.Shard(part, 2), "Ann/b", "Bob/b", "Eve/b");
+      try (Grading grading = Grading.open(request, new ArrayList<>()).orElseThrow()) {
+        Grades grades = grading.grade(List.of("none"), 1, weaker -> {}, new Told());
+
+        assertThat(grades.complete()).isEqualTo(part == 2);
+        assertThat(grades.handIns()).hasSize(part == 2 ? 3 : 2);
+        assertThat(grades.titles()).isEqualTo(Map.of("course", "Landing"));
+        assertThat(Grades.read(request.into())).isEqualTo(grades);
+      }
+    }
+  }
+
+  private Grading.Request request(Grading.Shard shard, String... handIns) throws IOException {
+    Files.writeString(
+        folder.resolve("course.yaml"),
+        "name: Landing\ngoals:\n  - land: {at: [0, 0], radius: 30, points: 5}\n");
+    Path assignment =
+        Files.writeString(
+            folder.resolve("a.yaml"), "name: A\ncourses: [course.yaml]\nentry: a.py\n");
+    for (String file : handIns) {
+      Path path = folder.resolve("hand-ins").resolve(file);
+      Files.createDirectories(path.getParent());
+      Files.writeString(path, "pass\n");
+    }
+    return new Grading.Request(
+        assignment,
+        folder.resolve("hand-ins"),
+        folder.resolve("grades"),
+        Optional.empty(),
+        Optional.empty(),
+        shard);
   }
 }

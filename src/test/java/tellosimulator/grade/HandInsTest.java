@@ -22,6 +22,7 @@ import tellosimulator.scenario.Assignment.Limits;
 import tellosimulator.scenario.Assignment.Scale;
 import tellosimulator.scenario.Assignment.Setup;
 import tellosimulator.scenario.Assignment.Take;
+import tellosimulator.words.Phrase;
 
 /** Collects hand-ins from folders, files and archives. */
 class HandInsTest {
@@ -59,7 +60,7 @@ class HandInsTest {
     Files.writeString(file, name);
   }
 
-  private List<HandIn> collected(Path path, HandIns.Student... roster) throws IOException {
+  private List<HandIn> collected(Path path, Roster.Student... roster) throws IOException {
     Path into = Files.createTempDirectory(folder, "into");
     return new HandIns(ASSIGNMENT, into).collect(path, List.of(roster));
   }
@@ -103,7 +104,7 @@ class HandInsTest {
             "Bob_124_assignsubmission_file_/src/Fly.java",
             "Bob_124_assignsubmission_onlinetext_/onlinetext.html");
 
-    List<HandIn> handIns = collected(zip, new HandIns.Student("Ann O'Neil", "4711", "B"));
+    List<HandIn> handIns = collected(zip, new Roster.Student("Ann O'Neil", "4711", "B"));
 
     assertThat(handIns).extracting(HandIn::name).containsExactly("Ann O'Neil", "Bob");
     assertThat(handIns).extracting(HandIn::id).containsExactly("4711", "124");
@@ -127,7 +128,7 @@ class HandInsTest {
     List<HandIn> handIns = collected(zip);
 
     assertThat(handIns)
-        .extracting(handIn -> handIn.problem().orElse("none"))
+        .extracting(handIn -> handIn.problem().map(Phrase::english).orElse("none"))
         .containsExactly(
             "none",
             "The zip has a file that would be written outside of its folder.",
@@ -145,7 +146,7 @@ class HandInsTest {
 
     List<HandIn> handIns = collected(from);
 
-    assertThat(handIns.get(0).problem())
+    assertThat(handIns.get(0).problem().map(Phrase::english))
         .contains("The link or device \"bob.py\" leads out of the hand-in.");
     assertThat(handIns.get(1).problem()).isEmpty();
   }
@@ -156,11 +157,11 @@ class HandInsTest {
     Path roster = folder.resolve("roster.csv");
     Files.writeString(roster, "\uFEFFname;id;group\r\n\"Ann\";1;A\r\nBob;2\r\n");
 
-    List<HandIn> handIns = collected(from, HandIns.roster(roster).toArray(HandIns.Student[]::new));
+    List<HandIn> handIns = collected(from, Roster.read(roster).toArray(Roster.Student[]::new));
 
     assertThat(handIns).extracting(HandIn::name).containsExactly("Ann", "Bob");
     assertThat(handIns).extracting(HandIn::id).containsExactly("1", "2");
-    assertThat(handIns.get(1).problem()).contains("Nothing was handed in.");
+    assertThat(handIns.get(1).problem().map(Phrase::english)).contains("Nothing was handed in.");
     assertThat(handIns).extracting(HandIn::obstacle).last().isEqualTo("nothing handed in");
   }
 
@@ -171,11 +172,30 @@ class HandInsTest {
         roster,
         "name,id,group\n\"Doe, Jane\",1,\"A; B\"\n \"the \"\"Rock\"\"\",2\nBob \"B\" S,3,\"\"\n");
 
-    assertThat(HandIns.roster(roster))
+    assertThat(Roster.read(roster))
         .containsExactly(
-            new HandIns.Student("Doe, Jane", "1", "A; B"),
-            new HandIns.Student("the \"Rock\"", "2", ""),
-            new HandIns.Student("Bob \"B\" S", "3", ""));
+            new Roster.Student("Doe, Jane", "1", "A; B"),
+            new Roster.Student("the \"Rock\"", "2", ""),
+            new Roster.Student("Bob \"B\" S", "3", ""));
+  }
+
+  @Test
+  void theHeadingOfARosterGivesTheOrderAndUnknownColumnsAreRefused() throws IOException {
+    Path roster = folder.resolve("roster.csv");
+    Files.writeString(roster, "Group,Name\nA,Ann\n");
+    assertThat(Roster.read(roster)).containsExactly(new Roster.Student("Ann", "", "A"));
+
+    Files.writeString(roster, "name,mail\nAnn,x\n");
+    assertThatThrownBy(() -> Roster.read(roster))
+        .hasMessage(roster + " has the column \"mail\": expected name, id and group");
+  }
+
+  @Test
+  void whatIsNotThereIsSaid() {
+    Path nowhere = folder.resolve("nowhere");
+
+    assertThatThrownBy(() -> collected(nowhere))
+        .hasMessageStartingWith(nowhere + " does not exist: expected a folder");
   }
 
   @Test
@@ -187,10 +207,10 @@ class HandInsTest {
     List<HandIn> handIns =
         collected(
             from,
-            new HandIns.Student("Bob", "1", "A"),
-            new HandIns.Student("Bob", "2", "B"),
-            new HandIns.Student("Bob", "3", "C"),
-            new HandIns.Student("Eve", "4", "A"));
+            new Roster.Student("Bob", "1", "A"),
+            new Roster.Student("Bob", "2", "B"),
+            new Roster.Student("Bob", "3", "C"),
+            new Roster.Student("Eve", "4", "A"));
 
     assertThat(handIns)
         .extracting(HandIn::folder, HandIn::id, HandIn::file)
@@ -216,7 +236,7 @@ class HandInsTest {
     List<HandIn> handIns = collected(from);
 
     assertThat(handIns)
-        .extracting(handIn -> handIn.problem().orElse("none"))
+        .extracting(handIn -> handIn.problem().map(Phrase::english).orElse("none"))
         .containsExactly("none", DAMAGED, DAMAGED);
     assertThat(handIns.get(1).obstacle()).isEqualTo("not accepted");
     assertThat(handIns).extracting(HandIn::file).containsExactly("fly.py", "", "");
@@ -230,7 +250,7 @@ class HandInsTest {
 
     assertThatThrownBy(() -> collected(zip))
         .isInstanceOf(IOException.class)
-        .hasMessage("the zip is damaged or encrypted, or its names are not in UTF-8");
+        .hasMessageStartingWith(zip + " is no zip, or it is damaged");
   }
 
   @Test
@@ -247,7 +267,7 @@ class HandInsTest {
 
     String impossible = "The zip has a file whose name is not possible here.";
     assertThat(handIns)
-        .extracting(HandIn::folder, handIn -> handIn.problem().orElse("none"))
+        .extracting(HandIn::folder, handIn -> handIn.problem().map(Phrase::english).orElse("none"))
         .containsExactly(
             tuple("Ann", impossible),
             tuple("Bob", impossible),

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
@@ -51,9 +52,26 @@ class ClassReportTest {
   void theClassPageHasARowForEachHandIn() {
     assertThat(page("index.html"))
         .contains("<title>Gates &amp; &lt;b&gt;rings&lt;/b&gt; – class page</title>")
-        .contains("3 hand-ins", "1 of 3 passed", "mean 44 %") // (100 + 33.33 + 0) / 3
+        .contains("Hand-ins: 3", "1 of 3 passed", "mean 44 %") // (100 + 33.33 + 0) / 3
         .contains("30 <small>/ 30</small>", "10 <small>/ 30</small>", "0 <small>/ 30</small>")
         .contains("No file to start was found");
+  }
+
+  @Test
+  void aPartOfAClassIsShownAsSuchWithTheTitlesOfItsCourses() throws IOException {
+    grades =
+        new Grades(
+            grades.assignment(),
+            grades.take(),
+            grades.scale(),
+            5,
+            Map.of("slalom", "The <i>slalom</i>"),
+            grades.handIns());
+    write(Translation.ENGLISH);
+
+    assertThat(page("index.html"))
+        .contains("not complete: 3 of 5 hand-ins", "The &lt;i&gt;slalom&lt;/i&gt;")
+        .doesNotContain("slalom 1");
   }
 
   @Test

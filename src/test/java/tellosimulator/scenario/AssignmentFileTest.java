@@ -106,6 +106,39 @@ class AssignmentFileTest {
   }
 
   @Test
+  void whatContradictsItselfIsReported() throws IOException {
+    Path file =
+        file(
+            """
+            name: A
+            courses:
+              - slalom
+              - slalom
+              - {scenario: own.yaml, seeds: []}
+            """);
+    assertThat(said(file)).containsExactly("5:32: expected at least one seed, found none");
+    file("name: A\ncourses: [slalom, slalom, {scenario: own.yaml, seeds: [1, 1]}]\n");
+    assertThat(said(file)).containsExactly("2:55: a seed is there twice");
+    file("name: A\ncourses: [slalom, slalom]\ncommand: python3 -u\n");
+    assertThat(said(file))
+        .containsExactly(
+            "2:10: the course slalom is there twice: list its seeds in one place",
+            "3:10: the command starts no file: write {file} where its name belongs");
+    file("name: A\ncourses: [slalom]\nscale: {kind: range, from: 4, to: 4}\n");
+    assertThat(said(file)).containsExactly("3:35: a scale needs two different grades");
+    file("");
+    assertThat(said(file)).containsExactly("1:1: the file is empty");
+  }
+
+  private static List<String> said(Path file) {
+    return catchThrowableOfType(ScenarioException.class, () -> AssignmentFile.read(file))
+        .diagnostics()
+        .stream()
+        .map(each -> each.toString().replace(file + ":", ""))
+        .toList();
+  }
+
+  @Test
   void aPatternThatIsNoneIsReportedWithItsPlace() throws IOException {
     Path file = file("name: A\ncourses: [slalom]\nentry: [fly.py, \"[x.py\"]\n");
 

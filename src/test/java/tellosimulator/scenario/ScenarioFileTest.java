@@ -539,7 +539,7 @@ class ScenarioFileTest {
   @ParameterizedTest
   @ValueSource(strings = {"", "\n\n", "# only a comment\n"})
   void anEmptyFileIsASentence(String text) {
-    assertThat(diagnostics(text)).containsExactly("1:1: expected a scenario, found nothing");
+    assertThat(diagnostics(text)).containsExactly("1:1: the file is empty");
   }
 
   @Test

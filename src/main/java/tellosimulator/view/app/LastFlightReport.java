@@ -24,7 +24,8 @@ import tellosimulator.words.Translation;
 
 /**
  * The report of the latest recorded flight, and the page with its points. A separate thread writes
- * them into the recording's folder and opens them; the outcome is logged. Confined to the JavaFX thread.
+ * them into the recording's folder and opens them; the outcome is logged. Confined to the JavaFX
+ * thread.
  */
 final class LastFlightReport implements ReportOffer {
 
@@ -129,7 +130,8 @@ final class LastFlightReport implements ReportOffer {
       return Optional.of(folder.resolve(ClassReport.FEEDBACK));
     } catch (ScenarioException e) {
       e.diagnostics()
-          .forEach(each -> logQueue.say(LogLevel.ERROR, language -> each.in(language.translation())));
+          .forEach(
+              each -> logQueue.say(LogLevel.ERROR, language -> each.in(language.translation())));
       return Optional.empty();
     }
   }

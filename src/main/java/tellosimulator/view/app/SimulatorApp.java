@@ -265,10 +265,13 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   public void gradeFlight() {
     FileChooser chooser = new FileChooser();
     chooser.setTitle(frame.language().messages(SimulatorApp.class).now("choose-assignment"));
-    assignments.latest().ifPresent(file -> {
-          chooser.setInitialDirectory(file.getParent().toFile());
-          chooser.setInitialFileName(file.getFileName().toString());
-        });
+    assignments
+        .latest()
+        .ifPresent(
+            file -> {
+              chooser.setInitialDirectory(file.getParent().toFile());
+              chooser.setInitialFileName(file.getFileName().toString());
+            });
     Optional.ofNullable(chooser.showOpenDialog(frame.stage()))
         .ifPresent(file -> gradeFlight(file.toPath()));
   }

@@ -138,8 +138,7 @@ class RecordedFlightsFxTest {
   private Path assignment(String name, String course) throws IOException {
     Path file = window.settings().resolveSibling(name + ".yaml");
     String scale = "scale: {kind: range, from: 1, to: 6}";
-    return Files.writeString(
-        file, "name: Task\ncourses: [" + course + "]\n" + scale + "\n");
+    return Files.writeString(file, "name: Task\ncourses: [" + course + "]\n" + scale + "\n");
   }
 
   @Test

@@ -1,7 +1,7 @@
 package tellosimulator.launcher;
 
 /** The limit because of which a program was killed. */
-public enum Overrun {
+public enum ExceededLimit {
   TIME,
   OUTPUT,
   MEMORY,

@@ -19,11 +19,11 @@ import tellosimulator.scenario.Assignment.Take;
 import tellosimulator.scenario.OpenedScenario;
 
 /** Opens the courses of assignments. */
-class GradedCourseTest {
+class SeededCourseTest {
 
   @TempDir private Path folder;
 
-  private List<GradedCourse> courses(Path course, List<Long> seeds, List<String> errors) {
+  private List<SeededCourse> courses(Path course, List<Long> seeds, List<String> errors) {
     Assignment assignment =
         new Assignment(
             "S",
@@ -36,7 +36,7 @@ class GradedCourseTest {
             Setup.DEFAULT,
             Limits.DEFAULT,
             Scale.DEFAULT);
-    return GradedCourse.of(assignment, errors);
+    return SeededCourse.of(assignment, errors);
   }
 
   @Test
@@ -47,11 +47,11 @@ class GradedCourseTest {
             "goals:\n  - reach: {at: [-150..150, 100, 80], radius: 30}\n");
     List<String> errors = new ArrayList<>();
 
-    List<GradedCourse> courses = courses(file, List.of(3L, 4L), errors);
+    List<SeededCourse> courses = courses(file, List.of(3L, 4L), errors);
 
     assertThat(errors).isEmpty();
-    assertThat(courses).extracting(GradedCourse::seed).containsExactly(3L, 4L);
-    for (GradedCourse course : courses) {
+    assertThat(courses).extracting(SeededCourse::seed).containsExactly(3L, 4L);
+    for (SeededCourse course : courses) {
       assertThat(course.unflown().goals())
           .singleElement()
           .extracting(FlightResult.GoalResult::task)
@@ -75,7 +75,7 @@ class GradedCourseTest {
             folder.resolve("course.yaml"), "seed: 9\ngoals:\n  - land: {at: [0, 0], radius: 30}\n");
 
     assertThat(courses(file, List.of(), new ArrayList<>()))
-        .extracting(GradedCourse::seed)
+        .extracting(SeededCourse::seed)
         .containsExactly(9L);
   }
 }

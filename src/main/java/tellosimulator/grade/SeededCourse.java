@@ -16,6 +16,7 @@ import tellosimulator.scenario.ScenarioException;
  * A course of an assignment with one of its seeds. Immutable.
  *
  * @param name the name of the scenario's file without its ending; unique together with the seed
+ * @param title the name of the scenario; if it has none, {@code name}
  * @param scenario the scenario's file, or its name in the gallery
  * @param seed the seed with which it is flown
  * @param drones the number of drones
@@ -23,8 +24,9 @@ import tellosimulator.scenario.ScenarioException;
  * @param unflown the result of a program that was never started
  * @param fingerprint what the scenario was read from
  */
-record GradedCourse(
+record SeededCourse(
     String name,
+    String title,
     String scenario,
     long seed,
     int drones,
@@ -38,8 +40,8 @@ record GradedCourse(
    * @param errors receives a sentence for each error in a scenario
    * @return the courses without errors
    */
-  static List<GradedCourse> of(Assignment assignment, List<String> errors) {
-    List<GradedCourse> courses = new ArrayList<>();
+  static List<SeededCourse> of(Assignment assignment, List<String> errors) {
+    List<SeededCourse> courses = new ArrayList<>();
     List<String> names = new ArrayList<>();
     for (AssignedCourse assigned : assignment.courses()) {
       String base = name(assigned.scenario());
@@ -62,16 +64,18 @@ record GradedCourse(
   }
 
   private static void add(
-      List<GradedCourse> courses, String name, AssignedCourse assigned, OpenedScenario opened)
+      List<SeededCourse> courses, String name, AssignedCourse assigned, OpenedScenario opened)
       throws ScenarioException, IOException {
     Path file = Path.of(assigned.scenario());
     String fingerprint = Files.isRegularFile(file) ? Files.readString(file) : assigned.scenario();
+    String title = opened.scenario().description().name().english();
     long usual = opened.scenario().config().seed();
     for (long seed : assigned.seeds().isEmpty() ? List.of(usual) : assigned.seeds()) {
       Scenario scenario = opened.drawnFrom(seed).scenario();
       courses.add(
-          new GradedCourse(
+          new SeededCourse(
               name,
+              title.isEmpty() ? name : title,
               assigned.scenario(),
               seed,
               scenario.config().drones().size(),
