@@ -143,7 +143,10 @@ public record FlightResult(
   private static ScoreResult result(Score score) {
     List<ScoreEntry> entries =
         score.entries().stream()
-            .map(each -> new ScoreEntry(Json.rounded(each.second()), each.points(), each.why().english()))
+            .map(
+                each ->
+                    new ScoreEntry(
+                        Json.rounded(each.second()), each.points(), each.why().english()))
             .toList();
     return new ScoreResult(score.points(), score.of(), entries);
   }

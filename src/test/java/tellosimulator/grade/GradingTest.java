@@ -12,7 +12,6 @@ import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import tellosimulator.recording.FlightResult;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 import tellosimulator.words.Phrase;
