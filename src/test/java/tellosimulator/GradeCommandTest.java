@@ -180,7 +180,10 @@ class GradeCommandTest {
     assertThat(grade(assignment(), nothing, "-o", folder.resolve("results"))).isEqualTo(1);
 
     assertThat(err.toString(StandardCharsets.UTF_8))
-        .isEqualTo("The hand-ins were not graded: " + nothing + " contains no hand-ins.\n");
+        .isEqualTo(
+            "The hand-ins were not graded: "
+                + nothing
+                + " contains no hand-ins: expected a folder or a program for each student.\n");
   }
 
   /** Writes results with one flight. */

@@ -116,7 +116,7 @@ class AssignmentFileTest {
               - slalom
               - {scenario: own.yaml, seeds: []}
             """);
-    assertThat(said(file)).containsExactly("5:32: expected at least one seed, found none");
+    assertThat(said(file)).containsExactly("5:33: expected at least one seed, found none");
     file("name: A\ncourses: [slalom, slalom, {scenario: own.yaml, seeds: [1, 1]}]\n");
     assertThat(said(file)).containsExactly("2:55: a seed is there twice");
     file("name: A\ncourses: [slalom, slalom]\ncommand: python3 -u\n");
