@@ -62,9 +62,12 @@ public final class Endurance {
         Runtime.getRuntime().availableProcessors(),
         Double.toString(minutes).replace(".0", ""));
     Measurement.print(rows, System.out);
-    long missed = rows.stream().filter(row -> !row.reached()).count();
-    System.out.printf("%n%d of %d rows missed%n", missed, rows.size());
-    System.exit(missed == 0 ? 0 : 1);
+    List<Measurement> missed = rows.stream().filter(row -> !row.reached()).toList();
+    System.out.printf("%n%d of %d rows missed%n", missed.size(), rows.size());
+    if (!missed.isEmpty()) {
+      Measurement.print(missed, System.out);
+    }
+    System.exit(missed.isEmpty() ? 0 : 1);
   }
 
   private static CompletableFuture<List<Measurement>> begin(
@@ -123,13 +126,13 @@ public final class Endurance {
     trials.put("clock", new Entry(Lane.ALONE, again(ClockTrial::run)));
     trials.put("power", new Entry(Lane.IN_TURN, PowerTrial::run));
     trials.put("address", new Entry(Lane.IN_TURN, inNetwork(NewAddressTrial::run)));
-    trials.put("files", new Entry(Lane.IN_TURN, again(FilesTrial::run)));
+    trials.put("files", new Entry(Lane.ALONE, again(FilesTrial::run)));
     trials.put("recording", new Entry(Lane.IN_TURN, RecordingTrial::run));
     trials.put("replay", new Entry(Lane.BESIDE, ReplayTrial::run));
     trials.put("determinism", new Entry(Lane.IN_TURN, DeterminismTrial::run));
     trials.put("ending", new Entry(Lane.IN_TURN, again(EndingTrial::landsTooEarly)));
     trials.put("timeout", new Entry(Lane.IN_TURN, again(EndingTrial::neverTakesOff)));
-    trials.put("window", new Entry(Lane.BESIDE, again(WindowTrial::run)));
+    trials.put("window", new Entry(Lane.ALONE, again(WindowTrial::run)));
     trials.put("class", new Entry(Lane.IN_TURN, inNetwork(ClassTrial::run)));
     trials.put("kit", new Entry(Lane.IN_TURN, KitTrial::run));
     trials.put("soak", new Entry(Lane.IN_TURN, SoakTrial::run));

@@ -78,7 +78,8 @@ final class WindowTrial {
   }
 
   /** A window that was opened. */
-  private record Opened(Scene scene, SimulatorProcess simulator) implements AutoCloseable {
+  private record Opened(Pipeline pipeline, Scene scene, SimulatorProcess simulator)
+      implements AutoCloseable {
 
     Used used() {
       ProcessFigures figures = simulator.figures();
@@ -93,27 +94,21 @@ final class WindowTrial {
 
   private WindowTrial() {}
 
+  /** All windows at once: what a process uses is counted for it alone. */
   static List<Measurement> run(double minutes) throws IOException {
     String what = "The window while nothing moves";
     if (System.getenv("DISPLAY") == null) {
       return List.of(Measurement.beside(what, "not measured: no display"));
     }
-    List<Measurement> rows = new ArrayList<>();
-    for (Pipeline pipeline : Pipeline.values()) {
-      rows.addAll(measured(pipeline));
-    }
-    return rows;
-  }
-
-  /** All at once: what a process uses is counted for it alone. */
-  private static List<Measurement> measured(Pipeline pipeline) throws IOException {
     List<Opened> windows = new ArrayList<>();
     try {
-      for (Scene scene : scenes()) {
-        windows.add(open(pipeline, scene));
+      for (Pipeline pipeline : Pipeline.values()) {
+        for (Scene scene : scenes()) {
+          windows.add(open(pipeline, scene));
+        }
       }
       Waiting.pass(WARM_UP_SECONDS);
-      return rows(pipeline, windows);
+      return rows(windows);
     } finally {
       windows.forEach(Opened::close);
     }
@@ -126,7 +121,7 @@ final class WindowTrial {
         .toList();
   }
 
-  private static List<Measurement> rows(Pipeline pipeline, List<Opened> windows) {
+  private static List<Measurement> rows(List<Opened> windows) {
     List<Used> before = windows.stream().map(Opened::used).toList();
     long begun = System.nanoTime();
     Waiting.pass(SECONDS);
@@ -138,7 +133,7 @@ final class WindowTrial {
       double percent = 100 * used.seconds / seconds - compilers;
       rows.add(
           new Measurement(
-              "The window %s, %s".formatted(pipeline.words, window.scene.words),
+              "The window %s, %s".formatted(window.pipeline.words, window.scene.words),
               String.format(Locale.ROOT, "at most %.0f %% of a processor", LARGEST_PERCENT),
               String.format(Locale.ROOT, "%.1f %%, and %.1f %% the compilers", percent, compilers),
               percent <= LARGEST_PERCENT));
@@ -154,7 +149,7 @@ final class WindowTrial {
     Files.writeString(file, "show.inset=" + (scene == Scene.INSET) + "\n");
     SimulatorProcess simulator =
         SimulatorProcess.inWindow(settings, List.of(pipeline.property), scene != Scene.OFF);
-    Opened window = new Opened(scene, simulator);
+    Opened window = new Opened(pipeline, scene, simulator);
     try {
       if (scene == Scene.PAUSED) {
         Waiting.pass(OPENING_SECONDS);
