@@ -18,8 +18,11 @@ import tellosimulator.words.Phrase;
 /** A parser that rejects texts with more values or deeper nesting than a scenario needs. */
 final class BoundedParser implements Parser {
 
-  /** Maximum number of parser events in a file; bounds memory use. Decided. */
-  private static final int MOST_VALUES = 400_000;
+  /**
+   * Maximum number of parser events in a file; bounds parsing time and memory use. Decided: 10,000
+   * boxes need 160,000.
+   */
+  private static final int MOST_VALUES = 200_000;
 
   /** Maximum nesting depth; bounds stack use. Decided: several times the depth of any scenario. */
   private static final int DEEPEST = 20;

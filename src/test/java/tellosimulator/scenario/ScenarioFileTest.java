@@ -591,7 +591,7 @@ class ScenarioFileTest {
     assertThat(diagnostics("a: [" + "1,".repeat(1_500_000) + "]"))
         .singleElement()
         .asString()
-        .endsWith("expected at most 400000 values, found more");
+        .endsWith("expected at most 200000 values, found more");
     assertThat(diagnostics("&a [*a, *a]"))
         .containsExactly("1:1: expected a scenario, found a list of 2");
     assertThat(diagnostics("room: &a {width: *a}"))
