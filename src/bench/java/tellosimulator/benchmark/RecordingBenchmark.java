@@ -126,7 +126,7 @@ final class RecordingBenchmark {
       }
     }
 
-    /** Sends state lines to where nobody takes them, or drops them. */
+    /** Sends state lines to sockets that no one reads, and drops the rest. */
     private void sent(int drone, LinkDatagram datagram) {
       if (datagram.direction() == LinkDirection.STATE) {
         new DatagramSender(new Ports(List.of(new Sink(drone))), OptionalInt.empty()).send(datagram);

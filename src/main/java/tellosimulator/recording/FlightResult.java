@@ -103,12 +103,13 @@ public record FlightResult(
   /** Returns the result of a program that was never started on a course. */
   public static FlightResult none(Challenge challenge) {
     Progress start = Progress.start(challenge);
-    List<OptionalInt> nobody = Collections.nCopies(challenge.goals().size(), OptionalInt.empty());
+    List<OptionalInt> noWinners =
+        Collections.nCopies(challenge.goals().size(), OptionalInt.empty());
     return new FlightResult(
         NOT_FLOWN,
         Optional.empty(),
         0,
-        goals(start, nobody),
+        goals(start, noWinners),
         start.score().map(score -> new ScoreResult(0, score.of(), List.of())),
         0,
         0,

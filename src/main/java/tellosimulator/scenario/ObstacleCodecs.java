@@ -62,10 +62,10 @@ final class ObstacleCodecs {
             });
   }
 
-  /** Default thickness of walls [m]. Decided: that of a sawn wooden beam. */
+  /** Default thickness of walls [m]. Decided: a partition wall of wood. */
   private static final double WALL_THICKNESS = 0.1;
 
-  /** Default thickness of the rings and beams of gates [m]. Decided: that of a thin wooden beam. */
+  /** Default thickness of the rings and beams of gates [m]. Decided: a slat. */
   private static final double GATE_THICKNESS = 0.05;
 
   private static final String RING = "ring";

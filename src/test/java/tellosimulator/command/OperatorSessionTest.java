@@ -18,7 +18,7 @@ import tellosimulator.time.SimTime;
 class OperatorSessionTest {
 
   private static final Peer OTHER = peer(9, 40_001);
-  private static final Optional<Peer> NOBODY = Optional.empty();
+  private static final Optional<Peer> NO_OPERATOR = Optional.empty();
 
   private final List<OperatorEndpoint> links = new ArrayList<>();
   private final OperatorSession session = session(OperatorRule.FIRST);
@@ -37,7 +37,7 @@ class OperatorSessionTest {
 
   @Test
   void theSenderOfTheFirstCommandIsTheOperator() {
-    assertThat(session.open(OPERATOR, at(3), true)).contains(new Takeover(OPERATOR, NOBODY));
+    assertThat(session.open(OPERATOR, at(3), true)).contains(new Takeover(OPERATOR, NO_OPERATOR));
     assertThat(session.link()).isEqualTo(OperatorEndpoint.raw(Optional.of(OPERATOR), 8890, 11_111));
     assertThat(links).containsExactly(session.link());
     assertThat(session.wantsState(at(3))).isTrue();
@@ -143,7 +143,7 @@ class OperatorSessionTest {
     assertThat(session.link()).isEqualTo(OperatorEndpoint.raw(Optional.of(OPERATOR), 9000, 9001));
 
     session.close();
-    assertThat(session.link()).isEqualTo(OperatorEndpoint.raw(NOBODY, 8890, 11_111));
+    assertThat(session.link()).isEqualTo(OperatorEndpoint.raw(NO_OPERATOR, 8890, 11_111));
     assertThat(links).last().isEqualTo(session.link());
   }
 
@@ -173,7 +173,7 @@ class OperatorSessionTest {
     session.open(OPERATOR, at(100), true);
     session.close();
 
-    assertThat(session.open(OPERATOR, at(100), true)).contains(new Takeover(OPERATOR, NOBODY));
+    assertThat(session.open(OPERATOR, at(100), true)).contains(new Takeover(OPERATOR, NO_OPERATOR));
   }
 
   @Test

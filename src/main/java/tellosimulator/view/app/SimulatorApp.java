@@ -331,9 +331,9 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   }
 
   @Override
-  public void beginAnew(StartSettings settings) {
+  public void restart(StartSettings settings) {
     ask(
-        "begin-anew",
+        "restart",
         new Answer("begin", () -> unlessLost(() -> begin(settings))),
         new Answer("go-on", () -> {}));
   }

@@ -44,7 +44,7 @@ final class StartPanel extends VBox {
   private final NumberField fieldOfView;
   private final NumberField tilt;
   private final Button begin =
-      Nodes.named(new Button("", new FontIcon(Feather.ROTATE_CCW)), "begin-anew");
+      Nodes.named(new Button("", new FontIcon(Feather.ROTATE_CCW)), "restart");
 
   StartPanel(ViewContext context) {
     SimConfig config = context.scenario().scenario().config();
@@ -74,8 +74,8 @@ final class StartPanel extends VBox {
     fieldOfView.show(FIELD_OF_VIEW.written(present.optics().fieldOfView()));
     tilt.show(TILT.written(present.optics().tilt()));
     begin.setMaxWidth(Double.MAX_VALUE);
-    begin.textProperty().bind(messages.text("begin-anew"));
-    Tooltips.install(begin, messages.text("begin-anew.hint"));
+    begin.textProperty().bind(messages.text("restart"));
+    Tooltips.install(begin, messages.text("restart.hint"));
   }
 
   private void layoutParts() {
@@ -93,7 +93,7 @@ final class StartPanel extends VBox {
 
   private void setupEventHandlers() {
     List.of(seed, crash, fieldOfView, tilt).forEach(field -> field.onNumber(set -> refresh()));
-    begin.setOnAction(pressed -> actions.beginAnew(wanted()));
+    begin.setOnAction(pressed -> actions.restart(wanted()));
   }
 
   private void refresh() {

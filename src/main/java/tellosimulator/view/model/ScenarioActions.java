@@ -39,7 +39,7 @@ public interface ScenarioActions {
   /**
    * Starts a new run of the current scenario with other settings, after the user has confirmed it.
    */
-  void beginAnew(StartSettings settings);
+  void restart(StartSettings settings);
 
   /**
    * Starts a new run of the current scenario with the planned room, drones and challenge. The undo

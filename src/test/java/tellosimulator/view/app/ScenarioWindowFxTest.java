@@ -301,7 +301,7 @@ class ScenarioWindowFxTest {
   }
 
   @Test
-  void goalsAreTickedAndBeginAnew() throws IOException {
+  void goalsAreTickedAndRestart() throws IOException {
     Files.writeString(
         file,
         """

@@ -45,11 +45,11 @@ class MorePanelFxTest {
 
   @Test
   void itIsFoldedAtFirst(FxRobot robot) {
-    assertThat(robot.lookup("#begin-anew").query().getParent().getParent().isVisible()).isFalse();
+    assertThat(robot.lookup("#restart").query().getParent().getParent().isVisible()).isFalse();
 
     robot.clickOn("#card-more");
 
-    assertThat(robot.lookup("#begin-anew").query().getParent().getParent().isVisible()).isTrue();
+    assertThat(robot.lookup("#restart").query().getParent().getParent().isVisible()).isTrue();
   }
 
   @Test
@@ -102,7 +102,7 @@ class MorePanelFxTest {
   @Test
   void onlyOtherNumbersCanBeBegunWith(FxRobot robot) {
     robot.clickOn("#card-more");
-    Button begin = robot.lookup("#begin-anew").queryAs(Button.class);
+    Button begin = robot.lookup("#restart").queryAs(Button.class);
     assertThat(begin.isDisabled()).isTrue();
 
     window.enter("#start-seed", "7.5");

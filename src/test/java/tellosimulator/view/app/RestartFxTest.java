@@ -19,7 +19,7 @@ import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.StartSettings;
 
 /** The settings of a new run. */
-class BeginAnewFxTest {
+class RestartFxTest {
 
   private static final StartSettings OTHER =
       new StartSettings(9, 0.5, new DroneOptics(Math.toRadians(70), Math.toRadians(5)));
@@ -36,7 +36,7 @@ class BeginAnewFxTest {
     change(() -> window.app().open(file));
     assertThat(shown("start-seed")).isEqualTo("4");
 
-    change(() -> window.app().beginAnew(OTHER));
+    change(() -> window.app().restart(OTHER));
     assertThat(shown("start-seed")).isEqualTo("4");
     robot.clickOn("#begin");
 
@@ -45,13 +45,13 @@ class BeginAnewFxTest {
     assertThat(shown("start-field-of-view")).isEqualTo("70");
     assertThat(shown("start-tilt")).isEqualTo("5");
     assertThat(window.stage().getTitle()).isEqualTo("room.yaml – Tello Simulator");
-    assertThat(robot.lookup("#begin-anew").queryAs(Button.class).isDisabled()).isTrue();
+    assertThat(robot.lookup("#restart").queryAs(Button.class).isDisabled()).isTrue();
     assertThat(Files.readString(file)).isEqualTo("name: Mine\nseed: 4\n");
   }
 
   @Test
   void whoCancelsGoesOn() {
-    change(() -> window.app().beginAnew(OTHER));
+    change(() -> window.app().restart(OTHER));
 
     robot.clickOn("#go-on");
 
@@ -63,7 +63,7 @@ class BeginAnewFxTest {
     robot.interact(() -> robot.lookup("#room-width-value").queryTextInputControl().setText("900"));
     robot.clickOn("#room-width-value").type(KeyCode.ENTER);
 
-    change(() -> window.app().beginAnew(OTHER));
+    change(() -> window.app().restart(OTHER));
     robot.clickOn("#begin");
 
     waitUntil(() -> shown("start-seed").equals("9"));
