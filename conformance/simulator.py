@@ -10,20 +10,22 @@ import time
 
 STATE = re.compile(
     r"drone 1: .+?, x (?P<x>\S+) y (?P<y>\S+) z (?P<z>\S+) cm, yaw (?P<yaw>\S+) degrees,"
-    r" battery (?P<battery>\d+) %"
+    r" battery (?P<battery>\d+) %.*?, (?P<time>[\d.]+) s"
 )
+LEAST_TIME_AT_REST_S = 0.1  # simulated; a drone of a busy machine stays where it is, too
 
 
 @dataclasses.dataclass(frozen=True)
 class Pose:
     """Where the drone is: cm in the room, x along the nose at the start, y to its left, z up; yaw in
-    degrees clockwise. And what is left of its battery, in per cent."""
+    degrees clockwise. And what is left of its battery, in per cent, and the simulated time in s."""
 
     x: float
     y: float
     z: float
     yaw: float
     battery: int
+    time: float
 
     def moved(self, forward=0.0, left=0.0, up=0.0):
         heading = -math.radians(self.yaw)
@@ -65,6 +67,7 @@ class Simulator:
 
     def __init__(self, java, jar, options):
         self._command = [java, "-jar", jar, "--headless", *options]
+        self._waits = "max" in options  # then no time passes until the next command
         self._log = tempfile.TemporaryFile(mode="w+")
         self._process = None
 
@@ -101,8 +104,8 @@ class Simulator:
         with contextlib.suppress(BrokenPipeError):
             self._process.stdin.write("state\n")
         found = STATE.match(self._line_with("drone 1:"))
-        x, y, z, yaw = (float(found[name]) for name in ("x", "y", "z", "yaw"))
-        return Pose(x, y, z, yaw, int(found["battery"]))
+        x, y, z, yaw, time = (float(found[name]) for name in ("x", "y", "z", "yaw", "time"))
+        return Pose(x, y, z, yaw, int(found["battery"]), time)
 
     def pose_at_rest(self, patience=3.0):
         """The pose, as soon as it stays the same."""
@@ -111,9 +114,10 @@ class Simulator:
         while time.monotonic() < end:
             time.sleep(0.1)
             pose = self.pose()
-            if pose.distance(last) < 0.1 and pose.yaw_off(last) < 0.1:
+            if pose.distance(last) >= 0.1 or pose.yaw_off(last) >= 0.1:
+                last = pose
+            elif self._waits or pose.time - last.time >= LEAST_TIME_AT_REST_S:
                 return pose
-            last = pose
         return last
 
     def log(self):
