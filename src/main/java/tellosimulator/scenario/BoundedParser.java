@@ -19,10 +19,16 @@ import tellosimulator.words.Phrase;
 final class BoundedParser implements Parser {
 
   /**
-   * Maximum number of parser events in a file; bounds parsing time and memory use. Decided: 10,000
-   * boxes need 160,000.
+   * Maximum number of parser events in a file; bounds memory use. Decided: 10,000 boxes with all
+   * their keys need 410,000.
    */
-  private static final int MOST_VALUES = 200_000;
+  private static final int MOST_VALUES = 500_000;
+
+  /**
+   * Maximum number of items of a list, or of keys and values of a mapping; bounds parsing time.
+   * Decided: twice the maximum number of obstacles.
+   */
+  private static final int MOST_ENTRIES = 20_000;
 
   /** Maximum nesting depth; bounds stack use. Decided: several times the depth of any scenario. */
   private static final int DEEPEST = 20;
@@ -35,6 +41,10 @@ final class BoundedParser implements Parser {
 
   private final Parser parser;
   private final Set<Anchor> collections = new HashSet<>();
+
+  /** The number of entries so far of each collection that is open. */
+  private final int[] entries = new int[DEEPEST + 1];
+
   private int depth;
   private int values;
   private int aliases;
@@ -90,17 +100,22 @@ final class BoundedParser implements Parser {
   public Event next() {
     Event event = parser.next();
     values++;
+    if (event instanceof NodeEvent && ++entries[depth] > MOST_ENTRIES) {
+      throw new ExceededException(
+          event, Phrase.of("expected at most %d entries, found more", MOST_ENTRIES));
+    }
     if (event instanceof CollectionStartEvent) {
       depth++;
+      if (depth > DEEPEST) {
+        throw new ExceededException(
+            event, Phrase.of("expected at most %d levels, found more", DEEPEST));
+      }
+      entries[depth] = 0;
     } else if (event instanceof CollectionEndEvent) {
       depth--;
     } else if (event instanceof ScalarEvent scalar && scalar.getValue().length() > LONGEST) {
       throw new ExceededException(
           event, Phrase.of("expected at most %d letters, found more", LONGEST));
-    }
-    if (depth > DEEPEST) {
-      throw new ExceededException(
-          event, Phrase.of("expected at most %d levels, found more", DEEPEST));
     }
     if (values > MOST_VALUES) {
       throw new ExceededException(
