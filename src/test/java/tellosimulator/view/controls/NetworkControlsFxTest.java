@@ -156,6 +156,7 @@ class NetworkControlsFxTest {
     robot.clickOn("#reachable");
 
     assertThat(window.simulation().reach()).isEqualTo(Reach.NETWORK);
+    window.settle();
     assertThat(window.text("#reach-sentence")).isEqualTo("Other machines can fly free drones.");
     window.speak(Locale.GERMAN);
     assertThat(window.text("#reachable")).isEqualTo("Aus dem Netz erreichbar");

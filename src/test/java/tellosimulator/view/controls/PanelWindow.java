@@ -85,7 +85,9 @@ final class PanelWindow implements AutoCloseable {
     return window;
   }
 
+  /** Returns the simulation once all actions of the user have been carried out. */
   OnlineSimulation simulation() {
+    until(() -> !context.actions().pending());
     return simulation;
   }
 
