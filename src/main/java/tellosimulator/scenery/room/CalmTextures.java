@@ -94,14 +94,7 @@ final class CalmTextures {
   /** Maximum loss of brightness away from the windows. */
   private static final double MOST_FALLOFF = 0.1;
 
-  private static final Texture FLOOR = ProceduralTexture.of(SurfaceTexture.SIZE, CalmTextures::oak);
-
   private CalmTextures() {}
-
-  /** Returns a tile of the floor without grid lines. Its boards run towards the front wall. */
-  static Texture boards() {
-    return FLOOR;
-  }
 
   /** The cache key for the textures of a calm room's walls. */
   record Plaster(Room room, OptionalInt accent) {}
@@ -133,7 +126,11 @@ final class CalmTextures {
     return textures;
   }
 
-  private static ProceduralTexture.Texels oak() {
+  /**
+   * Computes a tile of the floor without grid lines. Its boards run towards the front wall; its
+   * side has {@link SurfaceTexture#SIZE} texels.
+   */
+  static ProceduralTexture.Texels oak() {
     int size = SurfaceTexture.SIZE;
     byte[] pores = pores(size);
     ValueNoise grain =

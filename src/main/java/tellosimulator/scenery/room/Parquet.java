@@ -3,6 +3,7 @@ package tellosimulator.scenery.room;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.scenery.texture.ProceduralTexture;
+import tellosimulator.scenery.texture.ProceduralTexture.Texels;
 
 /**
  * Wooden floors with grid lines. A tile must hold a whole number of grid cells, so its side length
@@ -12,16 +13,16 @@ enum Parquet {
   /** High-contrast wood with lines that are clearly visible to a camera. */
   TEXTURED(Rgb.of(0x33302c), 0.6, 1) {
     @Override
-    Texture wood() {
-      return SurfaceTexture.PARQUET.texture();
+    Texels wood() {
+      return SurfaceTexture.PARQUET.texture()::argb;
     }
   },
 
   /** Light wood with lines that are fainter than a drone's shadow. */
   CALM(Rgb.of(0x6e5f4c), 0.36, 0.45) {
     @Override
-    Texture wood() {
-      return CalmTextures.boards();
+    Texels wood() {
+      return CalmTextures.oak();
     }
   };
 
@@ -45,8 +46,8 @@ enum Parquet {
     this.width = width;
   }
 
-  /** Returns a tile without lines. */
-  abstract Texture wood();
+  /** Computes a tile without lines. */
+  abstract Texels wood();
 
   /** Returns the number of grid cells in a tile, across and down. */
   static int cells(double grid) {
@@ -59,20 +60,15 @@ enum Parquet {
    * @param grid distance between lines [m]
    */
   Texture texture(double grid) {
-    int size = SurfaceTexture.SIZE;
-    return Texture.lazy(size, size, () -> argb(lineOpacity(grid)));
+    return ProceduralTexture.of(SurfaceTexture.SIZE, () -> lined(wood(), lineOpacity(grid)));
   }
 
-  private int[] argb(double[] lines) {
-    int[] argb = wood().argbArray();
-    for (int i = 0; i < argb.length; i++) {
-      int row = i / lines.length;
-      double covered = Math.max(lines[row], lines[i - row * lines.length]);
-      if (covered > 0) {
-        argb[i] = ProceduralTexture.mix(argb[i], line, covered);
-      }
-    }
-    return argb;
+  private Texels lined(Texels wood, double[] lines) {
+    return (x, y) -> {
+      double covered = Math.max(lines[y], lines[x]);
+      int argb = wood.argb(x, y);
+      return covered > 0 ? ProceduralTexture.mix(argb, line, covered) : argb;
+    };
   }
 
   /**

@@ -10,7 +10,11 @@ import java.util.SplittableRandom;
 public final class ValueNoise {
 
   private final int size;
-  private final float[] values;
+
+  /**
+   * The numbers row by row, because a small heap has room for many rows, but not for large arrays.
+   */
+  private final float[][] rows;
 
   /**
    * Creates noise that is zero everywhere.
@@ -19,7 +23,7 @@ public final class ValueNoise {
    */
   public ValueNoise(int size) {
     this.size = size;
-    values = new float[size * size];
+    rows = new float[size][size];
   }
 
   /**
@@ -45,18 +49,18 @@ public final class ValueNoise {
         float low = random[(above + 1) % lattice.down * lattice.across + i];
         row[i] = high + (low - high) * part;
       }
-      addRow(y, row, slope);
+      addRow(rows[y], row, slope);
     }
     return this;
   }
 
   /** Returns the noise at a texel. Outside the square, the noise repeats. */
   public float at(int x, int y) {
-    return values[(y & size - 1) * size + (x & size - 1)];
+    return rows[y & size - 1][x & size - 1];
   }
 
-  private void addRow(int y, float[] row, float[] slope) {
-    int texel = y * size;
+  private static void addRow(float[] values, float[] row, float[] slope) {
+    int texel = 0;
     for (int i = 0; i < row.length; i++) {
       float left = row[i];
       float rise = row[(i + 1) % row.length] - left;

@@ -6,19 +6,20 @@ import tellosimulator.scenery.mesh.Texture;
  * A texture image in some size and colour space, used while the mip levels are built. The first
  * column and row are repeated after the last ones, so that neighbours wrap around. Immutable.
  *
- * <p>A texel is a long with 16 bits for each channel. One multiplication therefore weights all four
- * channels, because 255 times a weight of 256 still fits into 16 bits.
+ * <p>A texel is stored with 8 bits for each channel, and computed with as a long with 16 bits for
+ * each channel. One multiplication therefore weights all four channels, because 255 times a weight
+ * of 256 still fits into 16 bits.
  */
 final class Texels {
 
-  /** The shift of the first channel within a texel. */
+  /** The shift of the first channel within a stored texel. */
   static final int FIRST = 16;
 
-  static final int SECOND = 32;
+  static final int SECOND = 8;
   static final int THIRD = 0;
-  static final int ALPHA = 48;
+  static final int ALPHA = 24;
 
-  /** The low 8 bits of each channel. */
+  /** The low 8 bits of each channel of a long. */
   private static final long MASK = 0x00ff00ff00ff00ffL;
 
   private static final long HALF = 0x0080008000800080L;
@@ -28,12 +29,12 @@ final class Texels {
   private final int height;
 
   /** The texels row by row, with one additional column and row. */
-  private final long[] texels;
+  private final int[] texels;
 
   private Texels(int width, int height) {
     this.width = width;
     this.height = height;
-    texels = new long[(width + 1) * (height + 1)];
+    texels = new int[(width + 1) * (height + 1)];
   }
 
   /**
@@ -46,7 +47,7 @@ final class Texels {
     for (int y = 0; y < made.height; y++) {
       for (int x = 0; x < made.width; x++) {
         int argb = texture.argb(x, y);
-        long opaque = unpack(space.pack(argb | 0xff000000));
+        int opaque = space.pack(argb | 0xff000000);
         made.texels[made.index(x, y)] = alpha ? premultiplied(opaque, argb >>> 24) : opaque;
       }
     }
@@ -84,8 +85,8 @@ final class Texels {
 
   /** Returns a texel in the lowest 8 bits, and the texel below it 16 bits higher. */
   private int column(int at, int shift) {
-    int upper = (int) (texels[at] >>> shift) & 255;
-    int lower = (int) (texels[at + width + 1] >>> shift) & 255;
+    int upper = (texels[at] >>> shift) & 255;
+    int lower = (texels[at + width + 1] >>> shift) & 255;
     return upper | (lower << 16);
   }
 
@@ -97,8 +98,8 @@ final class Texels {
     for (int y = 0; y < half.height; y++) {
       for (int x = 0; x < half.width; x++) {
         int i = index(right == 0 ? 0 : 2 * x, below == 0 ? 0 : 2 * y);
-        long sum = texels[i] + texels[i + right] + texels[i + below] + texels[i + below + right];
-        half.texels[half.index(x, y)] = ((sum + TWO) >>> 2) & MASK;
+        long sum = texel(i) + texel(i + right) + texel(i + below) + texel(i + below + right);
+        half.texels[half.index(x, y)] = packed(((sum + TWO) >>> 2) & MASK);
       }
     }
     half.wrapEdges();
@@ -129,7 +130,8 @@ final class Texels {
     for (int y = 0; y < newHeight; y++) {
       double v = (y + 0.5) * height / newHeight - 0.5;
       for (int x = 0; x < newWidth; x++) {
-        resampled.texels[resampled.index(x, y)] = bilinear((x + 0.5) * width / newWidth - 0.5, v);
+        long sample = bilinear((x + 0.5) * width / newWidth - 0.5, v);
+        resampled.texels[resampled.index(x, y)] = packed(sample);
       }
     }
     resampled.wrapEdges();
@@ -159,21 +161,28 @@ final class Texels {
   }
 
   private long clamped(int x, int y) {
-    return texels[index(Math.max(0, Math.min(width - 1, x)), Math.max(0, Math.min(height - 1, y)))];
+    return texel(index(Math.max(0, Math.min(width - 1, x)), Math.max(0, Math.min(height - 1, y))));
   }
 
-  /** Unpacks a pixel that has 8 bits for each channel. */
-  private static long unpack(int packed) {
-    long low = packed & 0xffffffffL;
+  private long texel(int index) {
+    return unpacked(texels[index]);
+  }
+
+  private static long unpacked(int texel) {
+    long low = texel & 0xffffffffL;
     return (low | (low << 24)) & MASK;
+  }
+
+  private static int packed(long channels) {
+    return (int) (channels | (channels >>> 24));
   }
 
   private static long lerp(long from, long to, int weight) {
     return divide256(from * (256 - weight) + to * weight + HALF);
   }
 
-  private static long premultiplied(long opaque, int alpha) {
-    return divide256(opaque * (alpha + (alpha >> 7)) + HALF);
+  private static int premultiplied(int opaque, int alpha) {
+    return packed(divide256(unpacked(opaque) * (alpha + (alpha >> 7)) + HALF));
   }
 
   private static long divide256(long channels) {
