@@ -62,7 +62,9 @@ final class ProgramProcess implements AutoCloseable {
   private static ProgramProcess launch(
       Class<?> main, List<String> words, String hidden, String heap) throws IOException {
     Path errors = Files.createTempFile("program", ".err");
-    List<String> command = Jvm.commandOf(main, words.toArray(String[]::new));
+    String[] arguments = words.toArray(String[]::new);
+    List<String> command =
+        main == Main.class ? Jvm.commandOfProgram(main, arguments) : Jvm.commandOf(main, arguments);
     List<String> options =
         List.of(
             "-XX:+IgnoreUnrecognizedVMOptions",

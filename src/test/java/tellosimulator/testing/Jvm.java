@@ -34,6 +34,16 @@ public final class Jvm {
   }
 
   /**
+   * Returns a command that runs a class of the program with this Java. Libraries that only tests
+   * need are left out, because their directories would take a tenth of a heap of 32 MB.
+   */
+  public static List<String> commandOfProgram(Class<?> main, String... arguments) {
+    List<String> command = commandOf(main, arguments);
+    command.set(2, System.getProperty("program.class-path", command.get(2)));
+    return command;
+  }
+
+  /**
    * Returns a process builder for a command.
    *
    * @param command whose first word is a {@code java}
