@@ -6,6 +6,7 @@ from djitellopy import Tello, TelloException
 
 TRIES = 12
 PAUSE_S = 2  # for what is still on its way, or still being flown
+LONGER_S = 0.3  # each time, or every try may come just before the drone has settled
 
 drone = Tello()
 
@@ -16,13 +17,13 @@ def state(field):
 
 def persist(call, *arguments, done=lambda refusal: False):
     """Calls until the client reports success, or `done` says that the drone had done it before."""
-    for _ in range(TRIES):
+    for i in range(TRIES):
         drone.get_own_udp_object()["responses"].clear()
         try:
             call(*arguments)
             return
         except TelloException as refused:
-            time.sleep(PAUSE_S)
+            time.sleep(PAUSE_S + i * LONGER_S)
             if done(str(refused)):
                 return
             if call not in (drone.connect, take_off, drone.land) and "Motor stop" in str(refused):

@@ -7,6 +7,7 @@ from tello_asyncio import Tello
 TRIES = 12
 TIMEOUT_S = 4  # longer than any of the commands takes
 PAUSE_S = 1  # for what is still on its way, or still being flown
+LONGER_S = 0.3  # each time, or every try may come just before the drone has settled
 
 
 class Impatient(Tello):
@@ -26,7 +27,7 @@ class Flight:
 
     async def connect(self):
         """Connects anew, too: the client takes the next reply for the one that never came."""
-        for _ in range(TRIES):
+        for i in range(TRIES):
             self.error = None
             try:
                 await self.drone.connect()
@@ -35,19 +36,19 @@ class Flight:
             if self.error is None:
                 return
             await self.drone.disconnect()
-            await asyncio.sleep(PAUSE_S)
+            await asyncio.sleep(PAUSE_S + i * LONGER_S)
         raise SystemExit("no connection")
 
     async def persist(self, call, *arguments, done=lambda refusal: False):
         """Calls until the client reports success, or `done` says that the drone had done it before."""
-        for _ in range(TRIES):
+        for i in range(TRIES):
             self.error = None
             await call(*arguments)
             if self.error is None or done(self.error):
                 return
             error = self.error
             await self.drone.disconnect()
-            await asyncio.sleep(PAUSE_S)
+            await asyncio.sleep(PAUSE_S + i * LONGER_S)
             await self.connect()
             if call not in (self.drone.takeoff, self.drone.land) and "Motor stop" in error:
                 await self.take_off()  # it has landed by itself, as nothing came for 15 s

@@ -6,6 +6,7 @@ const { move, rotate } = control;
 
 const TRIES = 12;
 const PAUSE_MS = 2000; // for what is still on its way, or still being flown
+const LONGER_MS = 300; // each time, or every try may come just before the drone has settled
 
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
@@ -19,7 +20,7 @@ async function persist(name, call, done = () => false) {
         if (reply === 'ok' || done(reply)) {
             return;
         }
-        await pause(PAUSE_MS);
+        await pause(PAUSE_MS + i * LONGER_MS);
         if (name !== 'takeoff' && name !== 'land' && reply.includes('Motor stop')) {
             await takeOff(); // it has landed by itself, as nothing came for 15 s
         }
