@@ -13,12 +13,8 @@ interface ProgramNetwork extends AutoCloseable {
   /** Wraps the command of the operator program. */
   List<String> program(List<String> command, Optional<Confinement> confinement);
 
-  /**
-   * Returns the environment variables with which the program finds the drones.
-   *
-   * @param ready the line in which the simulator has reported where its drones listen
-   */
-  Map<String, String> variables(String ready);
+  /** Returns the variables that tell a program where the drones are; empty if it knows. */
+  Map<String, String> variables();
 
   @Override
   void close();

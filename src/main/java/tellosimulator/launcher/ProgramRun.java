@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
@@ -21,10 +20,10 @@ import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 
 /**
- * Runs a simulator and an operator program, each in its own process, in an {@link OperatorNetwork}
- * or a {@link ShimNetwork}. The program finds drones at the addresses and ports of real ones. When
- * the program ends, the simulator lands the drones, prints its verdict and ends. The simulator's
- * output is passed on. {@link #run} works on the calling thread; the other methods are thread-safe.
+ * Runs a simulator and an operator program, each in its own process in an {@link OperatorNetwork}.
+ * The program finds drones at the addresses and ports of real ones. When the program ends, the
+ * simulator lands the drones, prints its verdict and ends. The simulator's output is passed on.
+ * {@link #run} works on the calling thread; the other methods are thread-safe.
  */
 public final class ProgramRun implements AutoCloseable {
 
@@ -54,7 +53,6 @@ public final class ProgramRun implements AutoCloseable {
   private final AtomicBoolean interrupted = new AtomicBoolean();
   private volatile Optional<Process> simulator = Optional.empty();
   private volatile Optional<Process> program = Optional.empty();
-  private volatile boolean inNamespace;
   private volatile boolean terminated;
   private volatile Optional<ExceededLimit> exceeded = Optional.empty();
 
@@ -64,7 +62,6 @@ public final class ProgramRun implements AutoCloseable {
    * @param simulator the command that starts a simulator, without its listen addresses
    * @param program the command that starts the operator program
    * @param drones the number of drones, at most {@link #MOST_DRONES}
-   * @param network how the program finds the drones
    * @param window whether the simulator has a window; the window stays open when the program has
    *     ended
    * @param output the file for the program's output; empty if it writes to the output of this
@@ -75,7 +72,6 @@ public final class ProgramRun implements AutoCloseable {
       List<String> simulator,
       List<String> program,
       int drones,
-      NetworkChoice network,
       boolean window,
       Optional<Path> output,
       Optional<Distrust> distrust) {
@@ -86,24 +82,15 @@ public final class ProgramRun implements AutoCloseable {
     }
   }
 
-  /** How a program finds the drones at the addresses of real ones. */
-  public enum NetworkChoice {
-    /** In a private network. */
-    PRIVATE,
-    /** By a shim in the program, in the network of this machine. */
-    SHIM,
-    /** In a private network, or by a shim if this system does not permit one. */
-    EITHER
-  }
-
   /**
    * How a program is run that is not trusted.
    *
-   * @param confinement what the program may see and use; with {@link NetworkChoice#SHIM}, the
-   *     program is started in {@link Confinement#files}, and only its limits apply
+   * @param confinement what the program may see and use
+   * @param confined false if this system has no namespaces: the program is then started in {@link
+   *     Confinement#files}, and only its limits apply
    * @param log the file for errors and warnings of the simulator
    */
-  public record Distrust(Confinement confinement, Path log) {}
+  public record Distrust(Confinement confinement, boolean confined, Path log) {}
 
   /**
    * Exit code of a simulator that ended because the program does not wait for replies. Decided: one
@@ -145,13 +132,12 @@ public final class ProgramRun implements AutoCloseable {
     try (ProgramNetwork network = network()) {
       Process flown = startSimulator(network);
       try (BufferedReader lines = flown.inputReader()) {
-        Optional<String> ready = awaitReady(lines);
-        if (ready.isEmpty()) {
+        if (!awaitReady(lines)) {
           flown.waitFor();
           return Optional.empty();
         }
         try (Worker passing = Worker.start("simulator-output", new Passing(lines))) {
-          ExitCodes codes = runProgram(network, network.variables(ready.get()), flown);
+          ExitCodes codes = runProgram(network, flown);
           passing.end();
           return Optional.of(codes);
         }
@@ -161,21 +147,10 @@ public final class ProgramRun implements AutoCloseable {
     }
   }
 
-  private ProgramNetwork network() throws UnavailableException, IOException, InterruptedException {
-    if (plan.network() == NetworkChoice.SHIM) {
-      return ShimNetwork.create(plan.drones());
-    }
-    try {
-      ProgramNetwork network = OperatorNetwork.create(plan.drones());
-      inNamespace = true;
-      return network;
-    } catch (UnavailableException e) {
-      if (plan.network() == NetworkChoice.PRIVATE) {
-        throw e;
-      }
-      out.println("program: flies by a shim, because there can be no private network");
-      return ShimNetwork.create(plan.drones());
-    }
+  private ProgramNetwork network() throws UnavailableException, InterruptedException {
+    return plan.distrust().filter(each -> !each.confined()).isPresent()
+        ? new SharedNetwork()
+        : OperatorNetwork.create(plan.drones());
   }
 
   private Process startSimulator(ProgramNetwork network) throws IOException {
@@ -190,21 +165,21 @@ public final class ProgramRun implements AutoCloseable {
     return flown;
   }
 
-  private Optional<String> awaitReady(BufferedReader lines) throws IOException {
+  private boolean awaitReady(BufferedReader lines) throws IOException {
     for (String line = lines.readLine(); line != null; line = lines.readLine()) {
       out.println(line);
       if (line.startsWith(READY)) {
-        return Optional.of(line);
+        return true;
       }
     }
-    return Optional.empty();
+    return false;
   }
 
-  private ExitCodes runProgram(ProgramNetwork network, Map<String, String> variables, Process flown)
+  private ExitCodes runProgram(ProgramNetwork network, Process flown)
       throws IOException, InterruptedException {
     ProcessBuilder builder = new ProcessBuilder(programCommand(network)).inheritIO();
-    builder.environment().putAll(variables);
-    plan.distrust().ifPresent(each -> each.confinement().prepare(builder, inNamespace));
+    builder.environment().putAll(network.variables());
+    plan.distrust().ifPresent(each -> each.confinement().prepare(builder, each.confined()));
     if (plan.output().isEmpty()) {
       return end(builder.start(), flown, Optional.empty());
     }
@@ -363,15 +338,19 @@ public final class ProgramRun implements AutoCloseable {
 
   /** Returns the program and all its descendants. */
   private Stream<ProcessHandle> started(Process flying) {
-    return inNamespace
+    return inNamespace()
         ? flying.children().flatMap(ProcessHandle::descendants)
         : Stream.concat(Stream.of(flying.toHandle()), flying.descendants());
+  }
+
+  private boolean inNamespace() {
+    return plan.distrust().map(Distrust::confined).orElse(true);
   }
 
   /** Kills the first process of the namespace, and with it all others. */
   private void kill(Process flying) {
     terminated = true;
-    List<ProcessHandle> first = (inNamespace ? flying.children() : flying.descendants()).toList();
+    List<ProcessHandle> first = (inNamespace() ? flying.children() : flying.descendants()).toList();
     flying.destroyForcibly(); // otherwise unshare of util-linux 2.38 would print an error
     first.forEach(ProcessHandle::destroyForcibly);
   }

@@ -12,16 +12,7 @@ import tellosimulator.testing.Tool;
 class PrivateNetworkIT {
 
   @ParameterizedTest
-  @ValueSource(
-      strings = {
-        "djitellopy",
-        "djitellopy-swarm",
-        "easytello",
-        "ros-driver",
-        "tello-asyncio",
-        "tello-drone",
-        "tellojs"
-      })
+  @ValueSource(strings = {"djitellopy", "djitellopy-swarm", "tello-asyncio", "tellojs"})
   void unchangedClientFliesWhereItsCommandsLead(String client)
       throws IOException, InterruptedException {
     ClientFlight.fly("--private-network", client);

@@ -16,7 +16,6 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import tellosimulator.launcher.ProgramRun.NetworkChoice;
 import tellosimulator.launcher.ProgramRun.Plan;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
@@ -133,7 +132,6 @@ class ProgramRunTest {
             SIMULATOR,
             List.of("sh", "-c", "echo goals; echo sighs >&2"),
             1,
-            NetworkChoice.PRIVATE,
             false,
             Optional.of(file),
             Optional.empty());
@@ -146,13 +144,7 @@ class ProgramRunTest {
 
   private static Plan plan(List<String> simulator, String script) {
     return new Plan(
-        simulator,
-        List.of("sh", "-c", script),
-        1,
-        NetworkChoice.PRIVATE,
-        false,
-        Optional.empty(),
-        Optional.empty());
+        simulator, List.of("sh", "-c", script), 1, false, Optional.empty(), Optional.empty());
   }
 
   /** Waits, because the kernel takes a moment to remove killed processes. */
