@@ -82,7 +82,7 @@ class ArchitectureTest {
           Map.entry("export", List.of("recording")),
           Map.entry("replay", List.of("recording")),
           Map.entry("report", List.of("comparison", "grade", "recording", "video")),
-          Map.entry("launcher", List.of("concurrent", "time")),
+          Map.entry("launcher", List.of("concurrent", "files", "time")),
           Map.entry("grade", List.of("launcher", "replay")),
           Map.entry("cli", List.of("export", "grade", "proxy", "report", "scenario", "video")),
           Map.entry("jvm", List.of("concurrent", "time")),

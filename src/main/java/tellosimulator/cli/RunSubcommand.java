@@ -14,6 +14,7 @@ import tellosimulator.concurrent.TerminationSignals;
 import tellosimulator.files.IoReason;
 import tellosimulator.launcher.ProgramRun;
 import tellosimulator.launcher.ProgramRun.ExitCodes;
+import tellosimulator.launcher.ProgramRun.NetworkChoice;
 import tellosimulator.launcher.ProgramRun.Plan;
 import tellosimulator.launcher.UnavailableException;
 import tellosimulator.scenario.Scenario;
@@ -26,6 +27,7 @@ final class RunSubcommand implements Subcommand {
 
   private static final String SEPARATOR = "--";
   private static final String PROGRAM_OUTPUT = "--program-output";
+  private static final String SHIM = "--shim";
 
   /** Options that cannot be combined with this subcommand. */
   private static final List<String> DECIDED =
@@ -39,11 +41,12 @@ final class RunSubcommand implements Subcommand {
           SubcommandName.RUN,
           "Runs an unchanged program in a private network, in which the drone has 192.168.10.1:8889"
               + " and the program 192.168.10.2, as with a real drone; several drones have"
-              + " 192.168.10.11, 192.168.10.12, and so on. Linux only.",
+              + " 192.168.10.11, 192.168.10.12, and so on. Where there can be no private network, a"
+              + " shim gives programs in Python, Java and Node.js the same addresses.",
           "Exit code: that of the program, which the line \"program: exit code N\" says; if it is 0,"
               + " or the program had to be ended, 0, or 3 if goals were missed, which the line"
-              + " \"goals: ...\" says. Without a line of the program: 1: no private network can be"
-              + " had; 2: wrong options. 70: the simulator ended too early; 130: Ctrl-C.");
+              + " \"goals: ...\" says. Without a line of the program: 1: it cannot be started; 2:"
+              + " wrong options. 70: the simulator ended too early; 130: Ctrl-C.");
 
   private final OptionValue<Optional<Path>> output =
       optionList
@@ -53,6 +56,9 @@ final class RunSubcommand implements Subcommand {
               "Write what your program prints into a file, of which it keeps the first 10 MB, and not"
                   + " between the lines of the simulator.")
           .readIfGiven(OptionTypes::fileOrFolder);
+
+  private final OptionValue<Boolean> shim =
+      optionList.flag(SHIM, "Use the shim even where there can be a private network.");
 
   private IVersionProvider version = () -> new String[0];
 
@@ -80,7 +86,7 @@ final class RunSubcommand implements Subcommand {
   }
 
   private Plan plan(List<String> all, List<String> program) {
-    List<String> words = withoutOutput(all);
+    List<String> words = simulatorOptions(all);
     Options options = new Options();
     List<String> given =
         options
@@ -116,17 +122,19 @@ final class RunSubcommand implements Subcommand {
         simulator,
         program,
         drones,
+        shim.value() ? NetworkChoice.SHIM : NetworkChoice.EITHER,
         !options.headless(),
         output.value().map(Path::toAbsolutePath),
         Optional.empty());
   }
 
   /**
-   * Returns the words without the option for the output file; all of them are passed to the
+   * Returns the words without the options of this subcommand; all of them are passed to the
    * simulator.
    */
-  private static List<String> withoutOutput(List<String> words) {
+  private static List<String> simulatorOptions(List<String> words) {
     List<String> left = new ArrayList<>(words);
+    left.removeIf(SHIM::equals);
     left.removeIf(word -> word.startsWith(PROGRAM_OUTPUT + "="));
     int index = left.indexOf(PROGRAM_OUTPUT);
     if (index >= 0) {

@@ -127,9 +127,10 @@ public final class Grading implements AutoCloseable {
       obstacle.ifPresent(
           reason ->
               weaker.accept(
-                  "Programs are not confined: they can read and write whatever you can, they must"
-                      + " take the drone's address from TELLO_HOST and TELLO_PORT, and one flies at"
-                      + " a time. "
+                  "Programs are not confined: they can read and write whatever you can;"
+                      + " programs in Python, Node.js and Java find the drone with a shim, others"
+                      + " must take its address from TELLO_HOST and TELLO_PORT; and one flies at a"
+                      + " time. "
                       + reason));
       GradingPlan plan =
           new GradingPlan(

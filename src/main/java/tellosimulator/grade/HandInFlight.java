@@ -18,6 +18,7 @@ import tellosimulator.launcher.ExceededLimit;
 import tellosimulator.launcher.ProgramRun;
 import tellosimulator.launcher.ProgramRun.Distrust;
 import tellosimulator.launcher.ProgramRun.ExitCodes;
+import tellosimulator.launcher.ProgramRun.NetworkChoice;
 import tellosimulator.launcher.ProgramRun.Plan;
 import tellosimulator.launcher.UnavailableException;
 import tellosimulator.recording.FlightResult;
@@ -119,12 +120,13 @@ final class HandInFlight implements AutoCloseable {
     if (waiting) {
       simulator.add("--await-replies");
     }
-    Distrust distrust = new Distrust(confinement, plan.confined(), folder.resolve(LOG));
+    Distrust distrust = new Distrust(confinement, folder.resolve(LOG));
     Plan processes =
         new Plan(
             simulator,
             program,
             course.drones(),
+            plan.confined() ? NetworkChoice.PRIVATE : NetworkChoice.SHIM,
             false,
             Optional.of(folder.resolve(GradedFlight.OUTPUT)),
             Optional.of(distrust));

@@ -75,7 +75,7 @@ final class OperatorNetwork implements ProgramNetwork {
   private static final String ALL_IDS = "0 0 65535";
 
   /** Command port of real drones. Documented: SDK 1.3 User Guide. */
-  private static final String COMMAND_PORT = "8889";
+  static final String COMMAND_PORT = "8889";
 
   private final Namespace drones;
   private final Namespace program;
@@ -160,7 +160,12 @@ final class OperatorNetwork implements ProgramNetwork {
   }
 
   @Override
-  public Map<String, String> variables() {
+  public boolean ownsProcesses() {
+    return true;
+  }
+
+  @Override
+  public Map<String, String> variables(String ready) {
     return Map.of(); // the drones have the addresses of real ones
   }
 

@@ -1,5 +1,6 @@
 package tellosimulator.launcher;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -13,8 +14,18 @@ interface ProgramNetwork extends AutoCloseable {
   /** Wraps the command of the operator program. */
   List<String> program(List<String> command, Optional<Confinement> confinement);
 
-  /** Returns the variables that tell a program where the drones are; empty if it knows. */
-  Map<String, String> variables();
+  /**
+   * Whether the started process of the program only waits for the first process of a PID namespace.
+   */
+  boolean ownsProcesses();
+
+  /**
+   * Returns the environment variables with which the program finds the drones.
+   *
+   * @param ready the line in which the simulator has reported where its drones listen
+   * @throws IOException if that line does not name each drone; the message is a clause
+   */
+  Map<String, String> variables(String ready) throws IOException;
 
   @Override
   void close();

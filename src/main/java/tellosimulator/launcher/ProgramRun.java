@@ -2,6 +2,7 @@ package tellosimulator.launcher;
 
 import java.io.BufferedReader;
 import java.io.BufferedWriter;
+import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
@@ -10,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
@@ -20,15 +22,17 @@ import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 
 /**
- * Runs a simulator and an operator program, each in its own process in an {@link OperatorNetwork}.
- * The program finds drones at the addresses and ports of real ones. When the program ends, the
- * simulator lands the drones, prints its verdict and ends. The simulator's output is passed on.
- * {@link #run} works on the calling thread; the other methods are thread-safe.
+ * Runs a simulator and an operator program, each in its own process, in an {@link OperatorNetwork}
+ * or a {@link ShimNetwork}. The program finds drones at the addresses and ports of real ones. When
+ * the program ends, the simulator lands the drones, prints its verdict and ends. The simulator's
+ * output is passed on. {@link #run} works on the calling thread; the other methods are thread-safe.
  */
 public final class ProgramRun implements AutoCloseable {
 
   /** Interval at which the run checks whether the simulator has ended [ms]. Decided. */
   private static final long NOTICE_MS = 50;
+
+  private static final boolean WINDOWS = File.separatorChar == '\\';
 
   /** Beginning of the line in which a simulator reports that it is ready. */
   private static final String READY = "ready";
@@ -53,6 +57,7 @@ public final class ProgramRun implements AutoCloseable {
   private final AtomicBoolean interrupted = new AtomicBoolean();
   private volatile Optional<Process> simulator = Optional.empty();
   private volatile Optional<Process> program = Optional.empty();
+  private volatile boolean inNamespace;
   private volatile boolean terminated;
   private volatile Optional<ExceededLimit> exceeded = Optional.empty();
 
@@ -62,6 +67,7 @@ public final class ProgramRun implements AutoCloseable {
    * @param simulator the command that starts a simulator, without its listen addresses
    * @param program the command that starts the operator program
    * @param drones the number of drones, at most {@link #MOST_DRONES}
+   * @param network how the program finds the drones
    * @param window whether the simulator has a window; the window stays open when the program has
    *     ended
    * @param output the file for the program's output; empty if it writes to the output of this
@@ -72,6 +78,7 @@ public final class ProgramRun implements AutoCloseable {
       List<String> simulator,
       List<String> program,
       int drones,
+      NetworkChoice network,
       boolean window,
       Optional<Path> output,
       Optional<Distrust> distrust) {
@@ -82,15 +89,24 @@ public final class ProgramRun implements AutoCloseable {
     }
   }
 
+  /** How a program finds the drones at the addresses of real ones. */
+  public enum NetworkChoice {
+    /** In a private network. */
+    PRIVATE,
+    /** By a shim in the program, in the network of this machine. */
+    SHIM,
+    /** In a private network, or with a shim if this system does not permit one. */
+    EITHER
+  }
+
   /**
    * How a program is run that is not trusted.
    *
-   * @param confinement what the program may see and use
-   * @param confined false if this system has no namespaces: the program is then started in {@link
-   *     Confinement#files}, and only its limits apply
+   * @param confinement what the program may see and use; with {@link NetworkChoice#SHIM}, the
+   *     program is started in {@link Confinement#files}, and only its limits apply
    * @param log the file for errors and warnings of the simulator
    */
-  public record Distrust(Confinement confinement, boolean confined, Path log) {}
+  public record Distrust(Confinement confinement, Path log) {}
 
   /**
    * Exit code of a simulator that ended because the program does not wait for replies. Decided: one
@@ -124,20 +140,22 @@ public final class ProgramRun implements AutoCloseable {
    *
    * @return the exit codes; empty if the simulator did not start, in which case the simulator has
    *     reported the error
-   * @throws UnavailableException if this system does not permit a private network; the message is
-   *     one sentence
+   * @throws UnavailableException if the plan requires a private network and this system does not
+   *     permit one; the message is one sentence
    * @throws IOException if the program cannot be started; the message is a clause
    */
   public Optional<ExitCodes> run() throws UnavailableException, IOException, InterruptedException {
     try (ProgramNetwork network = network()) {
+      inNamespace = network.ownsProcesses();
       Process flown = startSimulator(network);
       try (BufferedReader lines = flown.inputReader()) {
-        if (!awaitReady(lines)) {
+        Optional<String> ready = awaitReady(lines);
+        if (ready.isEmpty()) {
           flown.waitFor();
           return Optional.empty();
         }
         try (Worker passing = Worker.start("simulator-output", new Passing(lines))) {
-          ExitCodes codes = runProgram(network, flown);
+          ExitCodes codes = runProgram(network, network.variables(ready.get()), flown);
           passing.end();
           return Optional.of(codes);
         }
@@ -147,10 +165,19 @@ public final class ProgramRun implements AutoCloseable {
     }
   }
 
-  private ProgramNetwork network() throws UnavailableException, InterruptedException {
-    return plan.distrust().filter(each -> !each.confined()).isPresent()
-        ? new SharedNetwork()
-        : OperatorNetwork.create(plan.drones());
+  private ProgramNetwork network() throws UnavailableException, IOException, InterruptedException {
+    if (plan.network() == NetworkChoice.SHIM) {
+      return ShimNetwork.create(plan.drones());
+    }
+    try {
+      return OperatorNetwork.create(plan.drones());
+    } catch (UnavailableException e) {
+      if (plan.network() == NetworkChoice.PRIVATE) {
+        throw e;
+      }
+      out.println("The program finds the drones with a shim. " + e.getMessage());
+      return ShimNetwork.create(plan.drones());
+    }
   }
 
   private Process startSimulator(ProgramNetwork network) throws IOException {
@@ -165,21 +192,21 @@ public final class ProgramRun implements AutoCloseable {
     return flown;
   }
 
-  private boolean awaitReady(BufferedReader lines) throws IOException {
+  private Optional<String> awaitReady(BufferedReader lines) throws IOException {
     for (String line = lines.readLine(); line != null; line = lines.readLine()) {
       out.println(line);
       if (line.startsWith(READY)) {
-        return true;
+        return Optional.of(line);
       }
     }
-    return false;
+    return Optional.empty();
   }
 
-  private ExitCodes runProgram(ProgramNetwork network, Process flown)
+  private ExitCodes runProgram(ProgramNetwork network, Map<String, String> variables, Process flown)
       throws IOException, InterruptedException {
     ProcessBuilder builder = new ProcessBuilder(programCommand(network)).inheritIO();
-    builder.environment().putAll(network.variables());
-    plan.distrust().ifPresent(each -> each.confinement().prepare(builder, each.confined()));
+    builder.environment().putAll(variables);
+    plan.distrust().ifPresent(each -> each.confinement().prepare(builder, inNamespace));
     if (plan.output().isEmpty()) {
       return end(builder.start(), flown, Optional.empty());
     }
@@ -304,6 +331,11 @@ public final class ProgramRun implements AutoCloseable {
   }
 
   private void interrupt(Process flying) throws InterruptedException {
+    if (WINDOWS) { // its console has interrupted the program already
+      flying.waitFor(INTERRUPTED_SECONDS, TimeUnit.SECONDS);
+      terminate(flying);
+      return;
+    }
     List<String> command = new ArrayList<>(List.of("sh", "-c", "kill -s INT \"$@\"", "kill"));
     started(flying).forEach(process -> command.add(Long.toString(process.pid())));
     try {
@@ -338,19 +370,15 @@ public final class ProgramRun implements AutoCloseable {
 
   /** Returns the program and all its descendants. */
   private Stream<ProcessHandle> started(Process flying) {
-    return inNamespace()
+    return inNamespace
         ? flying.children().flatMap(ProcessHandle::descendants)
         : Stream.concat(Stream.of(flying.toHandle()), flying.descendants());
-  }
-
-  private boolean inNamespace() {
-    return plan.distrust().map(Distrust::confined).orElse(true);
   }
 
   /** Kills the first process of the namespace, and with it all others. */
   private void kill(Process flying) {
     terminated = true;
-    List<ProcessHandle> first = (inNamespace() ? flying.children() : flying.descendants()).toList();
+    List<ProcessHandle> first = (inNamespace ? flying.children() : flying.descendants()).toList();
     flying.destroyForcibly(); // otherwise unshare of util-linux 2.38 would print an error
     first.forEach(ProcessHandle::destroyForcibly);
   }

@@ -19,7 +19,7 @@ public final class UnavailableException extends Exception {
     return new UnavailableException(
         "A private network cannot be made ("
             + said
-            + "): run needs Linux with util-linux and iproute2, and a system that lets users make"
+            + "): it takes Linux with util-linux and iproute2, and a system that lets users make"
             + " namespaces (sudo sysctl kernel.apparmor_restrict_unprivileged_userns=0, or"
             + " kernel.unprivileged_userns_clone=1), or sudo.");
   }

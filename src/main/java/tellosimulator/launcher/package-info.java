@@ -1,7 +1,7 @@
 /**
- * Runs unmodified operator programs against a simulator, in a private network where the simulated
- * drones have the addresses of real ones. {@link tellosimulator.launcher.ProgramRun} is the main
- * type. It works on the calling thread and starts system processes, which is possible only on
- * Linux. Simulating drones and their traffic is not its job.
+ * Runs unmodified operator programs against a simulator, such that the simulated drones have the
+ * addresses of real ones: in a private network on Linux, or with a shim in the program elsewhere.
+ * {@link tellosimulator.launcher.ProgramRun} is the main type. It works on the calling thread and
+ * starts system processes. Simulating drones and their traffic is not its job.
  */
 package tellosimulator.launcher;

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.io.TempDirFactory;
 import tellosimulator.launcher.Confinement.Limits;
 import tellosimulator.launcher.ProgramRun.Distrust;
+import tellosimulator.launcher.ProgramRun.NetworkChoice;
 import tellosimulator.launcher.ProgramRun.Plan;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
@@ -85,9 +86,10 @@ class ConfinementTest {
             List.of("sh", "-c", "echo ready; read typed", "simulator"),
             List.of(command),
             1,
+            NetworkChoice.PRIVATE,
             false,
             Optional.of(output),
-            Optional.of(new Distrust(confinement(hidden), true, scratch.resolve("log.txt"))));
+            Optional.of(new Distrust(confinement(hidden), scratch.resolve("log.txt"))));
     new ProgramRun(plan, new PrintStream(OutputStream.nullOutputStream(), false, UTF_8)).run();
     return Files.readString(output);
   }

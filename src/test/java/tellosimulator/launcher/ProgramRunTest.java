@@ -16,6 +16,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.launcher.ProgramRun.NetworkChoice;
 import tellosimulator.launcher.ProgramRun.Plan;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
@@ -125,6 +126,36 @@ class ProgramRunTest {
   }
 
   @Test
+  void aProgramWithAShimIsOutOfReachOfTheTerminalAndIsInterruptedOnce() throws Exception {
+    Path told = pipe();
+    String careful =
+        "trap 'test $(ps -o sid= -p $$) -eq $$ && exit 9' INT; echo ready > "
+            + told
+            + "; read forever < "
+            + told;
+    List<String> simulator =
+        List.of(
+            "sh", "-c", "echo 'ready: drone 1 at 127.0.0.1:8879'; read typed; exit 3", "simulator");
+    Plan plan =
+        new Plan(
+            simulator,
+            List.of("sh", "-c", careful),
+            1,
+            NetworkChoice.SHIM,
+            false,
+            Optional.empty(),
+            Optional.empty());
+    ProgramRun run = new ProgramRun(plan, out());
+    CompletableFuture<?> ended = CompletableFuture.runAsync(() -> flyOrAbort(run));
+
+    Files.readString(told);
+    run.interrupt();
+    ended.get(60, TimeUnit.SECONDS);
+
+    assertThat(printed()).endsWith("program: exit code 9\n");
+  }
+
+  @Test
   void whatTheProgramPrintsGoesToItsFile() throws Exception {
     Path file = folder.resolve("program.log");
     Plan plan =
@@ -132,19 +163,26 @@ class ProgramRunTest {
             SIMULATOR,
             List.of("sh", "-c", "echo goals; echo sighs >&2"),
             1,
+            NetworkChoice.PRIVATE,
             false,
             Optional.of(file),
             Optional.empty());
 
     assertThat(new ProgramRun(plan, out()).run()).isPresent();
 
-    assertThat(printed()).isEqualTo("ready\nprogram: exit code 0\n");
+    assertThat(printed()).as(Files.readString(file)).isEqualTo("ready\nprogram: exit code 0\n");
     assertThat(file).hasContent("goals\nsighs");
   }
 
   private static Plan plan(List<String> simulator, String script) {
     return new Plan(
-        simulator, List.of("sh", "-c", script), 1, false, Optional.empty(), Optional.empty());
+        simulator,
+        List.of("sh", "-c", script),
+        1,
+        NetworkChoice.PRIVATE,
+        false,
+        Optional.empty(),
+        Optional.empty());
   }
 
   /** Waits, because the kernel takes a moment to remove killed processes. */

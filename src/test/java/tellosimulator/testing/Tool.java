@@ -23,6 +23,7 @@ public enum Tool {
   DPKG("apt-get install dpkg", "--version"),
   FFMPEG("apt-get install ffmpeg", "-version"),
   MKFIFO("apt-get install coreutils", "--version"),
+  NODE("apt-get install nodejs", "--version"),
   PS("apt-get install procps", "--version"),
   PYTHON("apt-get install python3", "--version"),
   SH("apt-get install dash", "-c", "exit 0"),
@@ -42,12 +43,7 @@ public enum Tool {
       "python3 -m venv conformance/.venv"
           + " && conformance/.venv/bin/pip install -r conformance/requirements.txt",
       "-c",
-      "import av, cv2.aruco, djitellopy, junitparser, mcap, pytest, tello_asyncio"),
-  /** Node.js with the packages of {@code conformance/package.json}. */
-  NODE_CLIENTS(
-      "apt-get install nodejs npm && npm install --prefix conformance",
-      "-e",
-      "require('./conformance/node_modules/tellojs')");
+      "import av, cv2.aruco, djitellopy, junitparser, mcap, pytest, tello_asyncio");
 
   private static final boolean WINDOWS = File.separatorChar == '\\';
 
@@ -118,7 +114,6 @@ public enum Tool {
   private Optional<Path> program() {
     return switch (this) {
       case CHROMIUM -> onPath("chromium", "chromium-browser", "google-chrome");
-      case NODE_CLIENTS -> onPath("node");
       case NAMESPACES -> onPath("unshare");
       case PYTHON -> onPath("python3");
       case PYTHON_CLIENTS ->
