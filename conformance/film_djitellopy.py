@@ -110,7 +110,7 @@ def turn(drone, watcher, before):
 
 def opencv(pose):
     """OpenCV's own reader sees the same."""
-    video = cv2.VideoCapture(f"udp://127.0.0.1:{pace.VIDEO_PORT}", cv2.CAP_FFMPEG)
+    video = cv2.VideoCapture(f"udp://@0.0.0.0:{pace.VIDEO_PORT}", cv2.CAP_FFMPEG)
     there, picture = video.read()
     steps.report("OpenCV reads a picture", there, True)
     if there:

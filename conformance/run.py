@@ -16,6 +16,7 @@ import time
 
 import network
 from judge import Judge
+from shim import Shim
 from simulator import Proxy, Simulator
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -66,15 +67,23 @@ class Client:
         fewest_steps=15,
         drones=1,
         persistent=(),
+        real_address=False,
+        given_address=False,
     ):
         self.start, self.probe, self.install = start, probe, install
         self.room, self.time_factor, self.fewest_steps = room, time_factor, fewest_steps
         self.drones = drones
         self.persistent = persistent
+        self.real_address = real_address or drones > 1
+        self.given_address = given_address
 
-    def swarm(self):
-        """Whether its drones can only be told apart by their addresses."""
-        return self.drones > 1
+    def flies(self, chosen):
+        """Whether it can reach its drones: some accept no other address, and a proxy serves one."""
+        if chosen.proxy and self.drones > 1:
+            return False
+        if chosen.private_network or chosen.shim:
+            return not self.given_address
+        return not self.real_address
 
     def missing(self):
         """Why it cannot fly; empty if it can."""
@@ -108,6 +117,7 @@ CLIENTS = {
         room=SEARCH,
         time_factor="1",
         fewest_steps=3,
+        given_address=True,
     ),
     "djitellopy-swarm": Client(
         [python(), "fly_swarm.py"],
@@ -121,6 +131,25 @@ CLIENTS = {
         ["-c", "import tello_asyncio"],
         PIP,
         persistent=[python(), "persist_tello_asyncio.py"],
+    ),
+    "easytello": Client(
+        [python(), "fly_easytello.py"],
+        ["-c", "import easytello"],
+        PIP,
+        real_address=True,
+    ),
+    "ros-driver": Client(
+        [python(), "fly_ros_driver.py"],
+        ["-c", ""],
+        PIP,
+        time_factor="1",
+        fewest_steps=10,
+    ),
+    "tello-drone": Client(
+        ["node", "fly_tello_drone.js"],
+        ["-e", "require.resolve('tello-drone')"],
+        NPM,
+        real_address=True,
     ),
     "tellojs": Client(
         ["node", "fly_tellojs.js"],
@@ -140,6 +169,11 @@ def options():
         "--private-network",
         action="store_true",
         help="fly without any change, over a network in which the drone is 192.168.10.1:8889",
+    )
+    parser.add_argument(
+        "--shim",
+        action="store_true",
+        help="fly without any change, by the shim in a network that is not private",
     )
     parser.add_argument(
         "--proxy",
@@ -164,14 +198,13 @@ def options():
         parser.error("there is no client " + ", ".join(unknown))
     if chosen.proxy and not chosen.private_network:
         parser.error("a proxy takes --private-network")
+    if chosen.shim and chosen.private_network:
+        parser.error("a private network needs no shim")
     if not chosen.clients:
-        chosen.clients = [
-            name
-            for name, client in CLIENTS.items()
-            if (chosen.private_network and not chosen.proxy) or not client.swarm()
-        ]
-    elif not chosen.private_network and any(CLIENTS[name].swarm() for name in chosen.clients):
-        parser.error("a swarm flies with --private-network only")
+        chosen.clients = [name for name, client in CLIENTS.items() if client.flies(chosen)]
+    lost = [name for name in chosen.clients if not CLIENTS[name].flies(chosen)]
+    if lost:
+        parser.error("these clients cannot reach their drones in this way: " + ", ".join(lost))
     if chosen.fault and not chosen.private_network:
         parser.error("faults take --private-network, in which clients are as they are")
     stubborn = [name for name in chosen.clients if not CLIENTS[name].persistent]
@@ -218,6 +251,8 @@ def carried_out(text, log):
 def fly(name, chosen):
     """Whether all went well."""
     place = "private network" if chosen.private_network else "loopback"
+    if chosen.shim:
+        place = "loopback and a shim"
     if chosen.proxy:
         place += " and a proxy"
     client = CLIENTS[name]
@@ -234,6 +269,8 @@ def fly(name, chosen):
                 drones = BEHIND_PROXY
             simulator_options += ["--bind", drones, "--command-port", "8889"]
             command = cable.way_in() + command
+        elif chosen.shim:
+            simulator_options += ["--drones", str(client.drones), "--port-per-drone"]
         else:
             command += LOOPBACK
         if time_factor == "max":
@@ -242,8 +279,11 @@ def fly(name, chosen):
         if chosen.proxy:
             proxy_options = ["--drone", BEHIND_PROXY, "--bind", network.DRONES[0]]
             stack.enter_context(Proxy(chosen.java, chosen.jar, proxy_options))
+        environment = {}
+        if chosen.shim:
+            environment = stack.enter_context(Shim(chosen.jar, simulator.ready))
         judge = Judge(simulator)
-        faults, chatter = follow(command, judge, simulator)
+        faults, chatter = follow(command, judge, simulator, environment=environment)
         if judge.steps < client.fewest_steps:
             faults.append(f"fewer than {client.fewest_steps} steps")
         seconds = time.monotonic() - started
@@ -259,7 +299,7 @@ def fly(name, chosen):
         return False
 
 
-def follow(command, judge, simulator, longest_s=LONGEST_FLIGHT_S):
+def follow(command, judge, simulator, longest_s=LONGEST_FLIGHT_S, environment=None):
     """Runs a client; returns what went wrong, and what it wrote of its own accord."""
     client = subprocess.Popen(
         command,
@@ -270,7 +310,12 @@ def follow(command, judge, simulator, longest_s=LONGEST_FLIGHT_S):
         text=True,
         encoding="utf-8",
         bufsize=1,
-        env={**os.environ, "PYTHONUNBUFFERED": "1", "PYTHONDONTWRITEBYTECODE": "1"},
+        env={
+            **os.environ,
+            "PYTHONUNBUFFERED": "1",
+            "PYTHONDONTWRITEBYTECODE": "1",
+            **(environment or {}),
+        },
     )
     watch = threading.Timer(longest_s, lambda: (client.kill(), simulator.kill()))
     watch.start()

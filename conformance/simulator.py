@@ -70,6 +70,7 @@ class Simulator:
         self._waits = "max" in options  # then no time passes until the next command
         self._log = tempfile.TemporaryFile(mode="w+")
         self._process = None
+        self.ready = ""  # the line that says where its drones listen
 
     def __enter__(self):
         self._process = subprocess.Popen(
@@ -80,7 +81,7 @@ class Simulator:
             text=True,
             bufsize=1,
         )
-        self._line_with("ready")
+        self.ready = self._line_with("ready")
         return self
 
     def __exit__(self, *failure):

@@ -1,6 +1,7 @@
 package tellosimulator.conformance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.abort;
 
@@ -44,6 +45,29 @@ final class ClientFlight {
       case MISSING -> cannotFly(output.strip());
       case FORBIDDEN -> abort(output);
       default -> assertEquals(0, exitCode, output);
+    }
+  }
+
+  /**
+   * Flies {@code examples/FirstFlight.java} to the address of a real drone, and fails unless it
+   * lands.
+   *
+   * @param options of {@code run}
+   */
+  static void flyFirstFlight(String... options) throws IOException, InterruptedException {
+    List<String> command = new ArrayList<>(List.of(Jvm.java(), "-jar", jar(), "run"));
+    command.addAll(List.of(options));
+    command.addAll(List.of("--headless", "--time-factor", "max", "--", Jvm.java()));
+    command.addAll(List.of("examples/FirstFlight.java", "192.168.10.1", "8889"));
+    Process run = Jvm.process(command).redirectErrorStream(true).start();
+    try {
+      String printed = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      assertEquals(0, run.waitFor(), printed);
+      assertTrue(printed.contains("`land` answered `ok`"), printed);
+      assertEquals(List.of(options).contains("--shim"), printed.contains("127.0.0.1"), printed);
+    } finally {
+      run.descendants().forEach(ProcessHandle::destroy);
+      run.destroy();
     }
   }
 

@@ -12,10 +12,26 @@ import tellosimulator.testing.Tool;
 class PrivateNetworkIT {
 
   @ParameterizedTest
-  @ValueSource(strings = {"djitellopy", "djitellopy-swarm", "tello-asyncio", "tellojs"})
+  @ValueSource(
+      strings = {
+        "djitellopy",
+        "djitellopy-swarm",
+        "djitellopy-video",
+        "easytello",
+        "ros-driver",
+        "tello-asyncio",
+        "tello-drone",
+        "tellojs"
+      })
   void unchangedClientFliesWhereItsCommandsLead(String client)
       throws IOException, InterruptedException {
     ClientFlight.fly("--private-network", client);
+  }
+
+  @Test
+  @NeedsTool(Tool.NAMESPACES)
+  void javaProgramFliesToTheAddressOfARealDrone() throws IOException, InterruptedException {
+    ClientFlight.flyFirstFlight();
   }
 
   @Test
