@@ -1,9 +1,11 @@
-"""Tests of a program that flies a square, and of what the simulator can break."""
+"""Tests of a program that flies a square, and of what the simulator can break: pip install
+tello-simulator pytest, and then: pytest"""
 
 import math
 import socket
 
 import pytest
+from tello_simulator import SimulatorError
 
 
 class Tello:
@@ -34,37 +36,37 @@ def fly_square(tello, side):
             return
 
 
-def test_the_square_ends_where_it_began(simulator):
-    with Tello(simulator.host, simulator.command_port) as tello:
+def test_the_square_ends_where_it_began(drone):
+    with Tello(drone.host, drone.command_port) as tello:
         fly_square(tello, 100)
 
-    truth = simulator.truth()
-    assert truth["landed"] and not truth["touched"]
-    assert math.dist((truth["x"], truth["y"]), truth["start"][:2]) < 5
-    assert truth["farthest"] == pytest.approx(math.hypot(100, 100), abs=5)
-    assert simulator.commands().count("cw 90") == 4
+    truth = drone.truth()
+    assert truth.landed and not truth.touched
+    assert math.dist(truth.position, truth.start) < 5
+    assert truth.farthest == pytest.approx(math.hypot(100, 100), abs=5)
+    assert drone.commands().count("cw 90") == 4
 
 
-def test_nothing_of_a_test_reaches_the_next_one(simulator):
-    assert simulator.journal() == []
-    assert simulator.truth()["takeoffs"] == 0
+def test_nothing_of_a_test_reaches_the_next_one(drone):
+    assert drone.journal() == []
+    assert drone.truth().takeoffs == 0
 
 
-def test_the_square_ends_at_the_first_refusal(simulator):
+def test_the_square_ends_at_the_first_refusal(simulator, drone):
     simulator.inject("no-valid-imu")
 
-    with Tello(simulator.host, simulator.command_port) as tello:
+    with Tello(drone.host, drone.command_port) as tello:
         fly_square(tello, 100)
 
-    assert simulator.commands() == ["command", "takeoff", "forward 100"]
-    assert simulator.journal()[-1]["reply"] == "error No valid imu"
-    assert simulator.truth()["flying"]
+    assert drone.commands() == ["command", "takeoff", "forward 100"]
+    assert drone.journal()[-1].reply == "error No valid imu"
+    assert drone.truth().flying
 
 
-def test_a_drone_whose_reply_is_lost_flies_nevertheless(simulator):
+def test_a_drone_whose_reply_is_lost_flies_nevertheless(simulator, drone):
     simulator.inject('loss replies 100% after "takeoff" for 5s')
 
-    with Tello(simulator.host, simulator.command_port) as tello:
+    with Tello(drone.host, drone.command_port) as tello:
         tello.send("command")
         tello.tell("takeoff")
         simulator.await_still()
@@ -72,19 +74,19 @@ def test_a_drone_whose_reply_is_lost_flies_nevertheless(simulator):
         with pytest.raises(BlockingIOError):
             tello.socket.recv(1024)
 
-    assert simulator.truth()["flying"]
+    assert drone.truth().flying
 
 
-def test_a_drone_that_hears_nothing_lands(simulator):
-    with Tello(simulator.host, simulator.command_port) as tello:
+def test_a_drone_that_hears_nothing_lands(simulator, drone):
+    with Tello(drone.host, drone.command_port) as tello:
         tello.send("command")
         tello.send("takeoff")
 
     simulator.advance(20)
 
-    assert simulator.truth()["landed"]
+    assert drone.truth().landed
 
 
 def test_a_misspelled_fault_is_refused_with_a_suggestion(simulator):
-    with pytest.raises(AssertionError, match="did you mean no-valid-imu"):
+    with pytest.raises(SimulatorError, match="did you mean no-valid-imu"):
         simulator.inject("no-vaild-imu")

@@ -6,25 +6,28 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.testing.Jvm;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** Runs the tests in {@code examples/testing/pytest} with the runnable jar. */
+/**
+ * Runs the tests in {@code examples/testing/pytest} with the runnable jar and the pytest plugin.
+ */
 @NeedsTool(Tool.PYTHON_CLIENTS)
 class PytestIT {
 
   private static final Path TESTS = Path.of("examples", "testing", "pytest");
+
+  private static final String PLUGIN = "tello_simulator.pytest_plugin";
 
   private record Run(int exitCode, String output) {}
 
   @Test
   @Timeout(180)
   void theExampleIsGreen() throws IOException, InterruptedException {
-    Run run = run("-m", "pytest", "-v", "-p", "no:cacheprovider", TESTS.toString());
+    Run run = run("-m", "pytest", "-v", "-p", PLUGIN, "-p", "no:cacheprovider", TESTS.toString());
 
     assertThat(run.exitCode).as(run.output).isZero();
     assertThat(run.output)
@@ -36,12 +39,21 @@ class PytestIT {
   @Timeout(180)
   void aFailureTellsWhatTheDronesDid() throws IOException, InterruptedException {
     Path folder = Files.createDirectories(Path.of("target", "pytest-red"));
-    for (String file : List.of("conftest.py", "test_square.py")) {
-      String text = Files.readString(TESTS.resolve(file));
-      Files.writeString(folder.resolve(file), text.replace("\"cw 90\"] * 4", "\"cw 80\"] * 4"));
-    }
+    String text = Files.readString(TESTS.resolve("test_square.py"));
+    Files.writeString(
+        folder.resolve("test_square.py"), text.replace("\"cw 90\"] * 4", "\"cw 80\"] * 4"));
 
-    Run run = run("-m", "pytest", "-k", "square_ends", "-p", "no:cacheprovider", folder.toString());
+    Run run =
+        run(
+            "-m",
+            "pytest",
+            "-p",
+            PLUGIN,
+            "-k",
+            "square_ends",
+            "-p",
+            "no:cacheprovider",
+            folder.toString());
 
     assertThat(run.exitCode).as(run.output).isEqualTo(1);
     assertThat(run.output).contains("1 failed", "last command to drone 1:", "`cw 80` → `ok`");
@@ -51,6 +63,7 @@ class PytestIT {
     ProcessBuilder builder = Tool.PYTHON_CLIENTS.command(arguments).redirectErrorStream(true);
     builder.environment().put("TELLO_SIMULATOR_JAR", ClientFlight.jar());
     builder.environment().put("TELLO_SIMULATOR_JAVA", Jvm.java());
+    builder.environment().put("PYTHONPATH", Path.of("python", "src").toAbsolutePath().toString());
     builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
     Process process = builder.start();
     try {
