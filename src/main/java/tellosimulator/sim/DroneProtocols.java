@@ -10,6 +10,7 @@ import tellosimulator.command.Peer;
 import tellosimulator.command.ProtocolContext;
 import tellosimulator.command.TextProtocol;
 import tellosimulator.controller.FlightEvent;
+import tellosimulator.protocol.app.AppProtocol;
 import tellosimulator.words.Phrase;
 
 /**
@@ -27,7 +28,7 @@ final class DroneProtocols {
   DroneProtocols(ProtocolContext drone) {
     this.drone = drone;
     session = drone.session();
-    protocols = List.of(new TextProtocol(drone));
+    protocols = List.of(new TextProtocol(drone), new AppProtocol(drone));
   }
 
   /** Handles a datagram that has arrived at the drone. Called only while the drone is on. */
