@@ -24,6 +24,9 @@ final class CommandHandler {
   private final OperatorSession session;
   private final CommandObserver observer;
 
+  /** The number of texts handled as commands so far, not counting retransmitted copies. */
+  private int taken;
+
   /**
    * The session, port and observer of a handler.
    *
@@ -63,7 +66,8 @@ final class CommandHandler {
     if (original.isPresent()) {
       original.get().alsoAnswer(header);
     } else {
-      Request request = new Request(session.nextRequest(), peer, text);
+      taken++;
+      Request request = new Request(taken, peer, text);
       Responder responder = new Responder(request, header, ends.port(), observer);
       if (!header.isEmpty()) {
         retransmission.remember(header, text, responder);

@@ -46,10 +46,6 @@ final class Equipment {
     return Result.DONE;
   }
 
-  void sendKeyPicture() {
-    model.setVideo(model.video().withKeyPicture());
-  }
-
   Result light(LightOrder order, SimTime now) {
     model.setLights(model.lights().after(order, now));
     return Result.DONE;

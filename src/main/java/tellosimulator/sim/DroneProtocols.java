@@ -10,7 +10,6 @@ import tellosimulator.command.Peer;
 import tellosimulator.command.ProtocolContext;
 import tellosimulator.command.TextProtocol;
 import tellosimulator.controller.FlightEvent;
-import tellosimulator.protocol.app.AppProtocol;
 import tellosimulator.words.Phrase;
 
 /**
@@ -28,7 +27,7 @@ final class DroneProtocols {
   DroneProtocols(ProtocolContext drone) {
     this.drone = drone;
     session = drone.session();
-    protocols = List.of(new TextProtocol(drone), new AppProtocol(drone));
+    protocols = List.of(new TextProtocol(drone));
   }
 
   /** Handles a datagram that has arrived at the drone. Called only while the drone is on. */

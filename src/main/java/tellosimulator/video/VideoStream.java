@@ -99,17 +99,10 @@ public final class VideoStream implements AutoCloseable {
    * @param seen whether pictures must be rendered
    * @param route the route of the datagrams
    * @param start the number of times that {@code streamon} has started the video
-   * @param keyPictures the number of key pictures that have been requested
    */
   private record StreamDemand(
-      boolean sent,
-      boolean encoded,
-      boolean seen,
-      Optional<Route> route,
-      int start,
-      int keyPictures) {
-    static final StreamDemand NOTHING =
-        new StreamDemand(false, false, false, Optional.empty(), 0, 0);
+      boolean sent, boolean encoded, boolean seen, Optional<Route> route, int start) {
+    static final StreamDemand NOTHING = new StreamDemand(false, false, false, Optional.empty(), 0);
   }
 
   /** The content and format of a frame. */
@@ -370,8 +363,7 @@ public final class VideoStream implements AutoCloseable {
             && !reachability.rests(now.link());
     boolean encoded = sent || (powered && watchers.stream().anyMatch(VideoWatcher::needsStream));
     boolean seen = encoded || watchers.stream().anyMatch(VideoWatcher::needsPictures);
-    return new StreamDemand(
-        sent, encoded, seen, Route.of(now.link()), video.starts(), video.keyPictures());
+    return new StreamDemand(sent, encoded, seen, Route.of(now.link()), video.starts());
   }
 
   private DroneSnapshot drone(SimSnapshot snapshot) {

@@ -12,7 +12,7 @@ class DroneProtocolsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"\u00cc\u0018\u0001\u00b9", "conn_req:\u0096\u0017", "\u00cc"})
-  void theAppIsNotHeardWhileTheDroneSpeaksText(String bytes) {
+  void aDatagramThatNoProtocolClaimsIsIgnored(String bytes) {
     SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
     drone.ask("command");
     drone.ask("takeoff");
@@ -20,7 +20,14 @@ class DroneProtocolsTest {
     drone.send(bytes);
 
     assertThat(drone.replies()).hasSize(2);
-    assertThat(drone.link().app()).isFalse();
+    assertThat(drone.events())
+        .last()
+        .isInstanceOfSatisfying(
+            SimEvent.CommandIgnored.class,
+            ignored -> {
+              assertThat(ignored.text()).isEqualTo(bytes);
+              assertThat(ignored.reason().english()).contains("binary protocol");
+            });
   }
 
   @ParameterizedTest
