@@ -15,6 +15,7 @@ import java.util.jar.JarOutputStream;
 import java.util.jar.Manifest;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import tellosimulator.files.TemporaryFolder;
 
@@ -99,19 +100,22 @@ final class ShimNetwork implements ProgramNetwork {
   }
 
   /**
-   * Starts a command in a session of its own, which Ctrl-C in a terminal does not reach: {@link
-   * ProgramRun} passes it on. Windows has no sessions, and its console reaches all programs.
+   * Wraps a command to start in a session of its own, which Ctrl-C in a terminal does not reach:
+   * {@link ProgramRun} passes it on. Where no program creates sessions, as on Windows, the terminal
+   * reaches all programs.
    */
   private static List<String> isolated(List<String> command) {
-    String system = System.getProperty("os.name");
-    if (system.startsWith("Windows")) {
-      return command;
-    }
     List<String> prefix =
-        system.startsWith("Mac")
+        System.getProperty("os.name").startsWith("Mac")
             ? List.of("perl", "-e", "use POSIX; POSIX::setsid(); exec @ARGV or exit 127", "--")
             : List.of("setsid");
-    return ProgramRun.joined(prefix, command);
+    return isInstalled(prefix.get(0)) ? ProgramRun.joined(prefix, command) : command;
+  }
+
+  private static boolean isInstalled(String program) {
+    String path = System.getenv().getOrDefault("PATH", "");
+    return Stream.of(path.split(File.pathSeparator))
+        .anyMatch(each -> new File(each, program).canExecute());
   }
 
   @Override
