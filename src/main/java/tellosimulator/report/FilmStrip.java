@@ -1,20 +1,10 @@
 package tellosimulator.report;
 
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import javax.imageio.IIOImage;
-import javax.imageio.ImageIO;
-import javax.imageio.ImageWriteParam;
-import javax.imageio.ImageWriter;
-import javax.imageio.stream.ImageOutputStream;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
 import tellosimulator.json.Json;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
@@ -31,6 +21,7 @@ import tellosimulator.video.camera.FrameBuffer;
 import tellosimulator.video.camera.PinholeCamera;
 import tellosimulator.video.camera.RenderCache;
 import tellosimulator.video.camera.SoftwareCamera;
+import tellosimulator.video.picture.JpegEncoder;
 
 /**
  * Renders small pictures of a flight. At regular intervals, there is one picture of the room and
@@ -42,6 +33,12 @@ final class FilmStrip {
   private static final int WIDTH = 320;
 
   private static final int HEIGHT = 240;
+
+  /**
+   * Compression quality. Decided: at this size, a higher quality makes no visible difference but
+   * takes twice the space.
+   */
+  private static final float QUALITY = 0.62f;
 
   /** Minimum time between pictures [s]. */
   private static final double SHORTEST_STEP = 1;
@@ -87,7 +84,7 @@ final class FilmStrip {
     List<Double> times = times(begin, end, 1 + snapshots.at(begin).drones().size());
     List<String> room = new ArrayList<>();
     Map<Integer, List<String>> cameras = new TreeMap<>();
-    try (JpegEncoder encoder = new JpegEncoder(WIDTH, HEIGHT)) {
+    try (JpegEncoder encoder = new JpegEncoder(WIDTH, HEIGHT, QUALITY)) {
       for (double time : times) {
         SimSnapshot snapshot = snapshots.at(time);
         room.add(picture(scenes.scene(snapshot), room(snapshot), encoder));
@@ -152,50 +149,5 @@ final class FilmStrip {
       pixels[i] = pixels[i] == 0 ? OUTSIDE : pixels[i];
     }
     return Base64.getEncoder().encodeToString(encoder.encode(pixels));
-  }
-
-  /**
-   * Encodes small pictures as JPEG. Must not be used by two threads at the same time. Must be
-   * closed after use.
-   */
-  private static final class JpegEncoder implements AutoCloseable {
-
-    /**
-     * Compression quality. Decided: at this size, a higher quality makes no visible difference but
-     * takes twice the space.
-     */
-    private static final float QUALITY = 0.62f;
-
-    private final ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
-    private final BufferedImage image;
-
-    JpegEncoder(int width, int height) {
-      image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-    }
-
-    /**
-     * Encodes a picture.
-     *
-     * @param pixels the pixels, row by row from the top
-     */
-    byte[] encode(int[] pixels) {
-      image.getRaster().setDataElements(0, 0, image.getWidth(), image.getHeight(), pixels);
-      ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-      ImageWriteParam how = writer.getDefaultWriteParam();
-      how.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
-      how.setCompressionQuality(QUALITY);
-      try (ImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {
-        writer.setOutput(out);
-        writer.write(null, new IIOImage(image, null, null), how);
-      } catch (IOException e) {
-        throw new UncheckedIOException("a picture cannot be encoded in memory", e);
-      }
-      return bytes.toByteArray();
-    }
-
-    @Override
-    public void close() {
-      writer.dispose();
-    }
   }
 }

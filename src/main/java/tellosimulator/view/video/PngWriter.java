@@ -8,6 +8,7 @@ import java.nio.file.StandardOpenOption;
 import org.jcodec.codecs.png.PNGEncoder;
 import org.jcodec.common.model.ColorSpace;
 import tellosimulator.video.picture.Picture;
+import tellosimulator.video.picture.YuvConverter;
 
 /** Writes pictures as lossless PNG files. Thread-safe. */
 final class PngWriter {

@@ -7,6 +7,7 @@ import javafx.scene.image.ImageView;
 import tellosimulator.video.VideoFigures;
 import tellosimulator.video.VideoStream;
 import tellosimulator.video.picture.Picture;
+import tellosimulator.video.picture.YuvConverter;
 import tellosimulator.view.fx.ScreenPixels;
 import tellosimulator.view.video.TripleBuffer.BufferedPicture;
 

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.video.picture.Picture;
+import tellosimulator.video.picture.YuvConverter;
 
 class PngWriterTest {
 

@@ -1,12 +1,10 @@
-package tellosimulator.view.video;
-
-import tellosimulator.video.picture.Picture;
+package tellosimulator.video.picture;
 
 /**
  * Converts pictures from Y'CbCr (ITU-R BT.601, luma from 16 to 235) to opaque ARGB with 8 bits for
  * each component. Thread-safe.
  */
-final class YuvConverter {
+public final class YuvConverter {
 
   /** Number of fractional bits in the factors. */
   private static final int PLACES = 16;
@@ -35,7 +33,7 @@ final class YuvConverter {
    *
    * @param argb receives the pixels row by row
    */
-  static void whole(Picture picture, int[] argb) {
+  public static void whole(Picture picture, int[] argb) {
     byte[] luma = picture.y();
     int width = picture.width();
     for (int row = 0; row < picture.height(); row += 2) {
@@ -60,7 +58,7 @@ final class YuvConverter {
    *
    * @param argb receives the pixels row by row
    */
-  static void half(Picture picture, int[] argb) {
+  public static void half(Picture picture, int[] argb) {
     byte[] luma = picture.y();
     int width = picture.width();
     for (int row = 0; row < picture.height(); row += 2) {

@@ -1,4 +1,4 @@
-package tellosimulator.view.video;
+package tellosimulator.video.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -6,7 +6,6 @@ import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tellosimulator.video.picture.Picture;
 
 class YuvConverterTest {
 
