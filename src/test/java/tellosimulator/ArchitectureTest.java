@@ -67,7 +67,8 @@ class ArchitectureTest {
           Map.entry("sensor", List.of("model")),
           Map.entry("fault", List.of("sensor")),
           Map.entry("controller", List.of("physics", "fault")),
-          Map.entry("sim", List.of("concurrent", "command")),
+          Map.entry("protocol", List.of("command")),
+          Map.entry("sim", List.of("concurrent", "protocol")),
           Map.entry("goal", List.of("sim")),
           Map.entry("network", List.of("sim")),
           Map.entry("scenery", List.of("goal")),
@@ -291,13 +292,13 @@ class ArchitectureTest {
   }
 
   @Test
-  void nobodyDrawsWithAwtAndOnlyPostersAreReadAndPicturesOfReportsEncodedWithIt() {
+  void nobodyDrawsWithAwtAndOnlyPostersAreReadAndPicturesEncodedWithIt() {
     noClasses().should().dependOnClassesThat().resideInAPackage("java.awt").check(CLASSES);
     noClasses()
         .that()
         .doNotHaveFullyQualifiedName(ROOT + ".scenery.texture.ImageFile")
         .and()
-        .doNotHaveFullyQualifiedName(ROOT + ".report.FilmStrip$JpegEncoder")
+        .doNotHaveFullyQualifiedName(ROOT + ".video.picture.JpegEncoder")
         .should()
         .dependOnClassesThat()
         .resideInAnyPackage("java.awt..", "javax.imageio..")

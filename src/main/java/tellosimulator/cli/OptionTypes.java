@@ -95,6 +95,16 @@ final class OptionTypes {
     return degrees(word, -DroneOptics.STEEPEST_DEG, DroneOptics.STEEPEST_DEG);
   }
 
+  static Integer photoWidth(String word) {
+    int width =
+        wholeNumber(
+            word,
+            DroneOptics.SMALLEST_PHOTO,
+            DroneOptics.PHOTO_WIDTH,
+            "an even number from " + DroneOptics.SMALLEST_PHOTO + " to " + DroneOptics.PHOTO_WIDTH);
+    return width / 2 * 2;
+  }
+
   static Integer droneCount(String word) {
     return wholeNumber(
         word, 1, AddressPlan.MOST_DRONES, "a number from 1 to " + AddressPlan.MOST_DRONES);

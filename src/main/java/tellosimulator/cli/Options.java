@@ -61,6 +61,15 @@ public final class Options {
           .option(CAMERA_TILT, "DEG", "How far the camera looks down, in degrees.")
           .read(OptionTypes::tilt, "15");
 
+  private final OptionValue<Integer> photoWidth =
+      optionList
+          .option(
+              "--photo-width",
+              "PIXELS",
+              "Width of the photos that programs take with the app's protocol, in pixels; height in"
+                  + " proportion.")
+          .read(OptionTypes::photoWidth, Integer.toString(DroneOptics.PHOTO_WIDTH));
+
   private final OptionValue<Optional<Integer>> drones =
       optionList
           .option(
@@ -160,7 +169,10 @@ public final class Options {
 
   /** The optics of the drones' cameras. */
   public DroneOptics optics() {
-    return new DroneOptics(Math.toRadians(fieldOfViewDeg.value()), Math.toRadians(tiltDeg.value()));
+    return new DroneOptics(
+        Math.toRadians(fieldOfViewDeg.value()),
+        Math.toRadians(tiltDeg.value()),
+        photoWidth.value());
   }
 
   public OptionalInt replyPort() {

@@ -24,9 +24,6 @@ final class CommandHandler {
   private final OperatorSession session;
   private final CommandObserver observer;
 
-  /** The number of texts handled as commands so far, not counting retransmitted copies. */
-  private int taken;
-
   /**
    * The session, port and observer of a handler.
    *
@@ -66,8 +63,7 @@ final class CommandHandler {
     if (original.isPresent()) {
       original.get().alsoAnswer(header);
     } else {
-      taken++;
-      Request request = new Request(taken, peer, text);
+      Request request = new Request(session.nextRequest(), peer, text);
       Responder responder = new Responder(request, header, ends.port(), observer);
       if (!header.isEmpty()) {
         retransmission.remember(header, text, responder);

@@ -19,7 +19,12 @@ public record OperatorEndpoint(
     return new OperatorEndpoint(operator, statePort, videoPort, Packetizer.RAW);
   }
 
-  /** Whether the drone is in SDK mode, that is, whether it has accepted {@code command}. */
+  /** Whether the operator uses the app's protocol, whose video has another format. */
+  public boolean app() {
+    return packetizer != Packetizer.RAW;
+  }
+
+  /** Whether the drone has an operator, that is, whether it has accepted {@code command}. */
   public boolean sdkMode() {
     return operator.isPresent();
   }

@@ -43,6 +43,12 @@ public final class OperatorSession {
   private final Consumer<OperatorEndpoint> listener;
   private OperatorEndpoint link;
 
+  /** Whether {@code command} has been accepted since the drone has power. */
+  private boolean text;
+
+  /** The number of requests so far, in all protocols. */
+  private int requests;
+
   /** The previous operator, if it was another host. */
   private Optional<Peer> former = Optional.empty();
 
@@ -74,7 +80,7 @@ public final class OperatorSession {
    * Whether {@code peer} may send commands that change anything. While there is no operator, any
    * host that the rule accepts may.
    */
-  boolean admits(Peer peer) {
+  public boolean admits(Peer peer) {
     if (!rule.exclusive()) {
       return true;
     }
@@ -82,7 +88,7 @@ public final class OperatorSession {
   }
 
   /** Explains why {@code peer} is not admitted, worded to follow "turned away: ". */
-  Phrase refusal(Peer peer) {
+  public Phrase refusal(Peer peer) {
     if (!rule.accepts(peer.address().getAddress())) {
       return Phrase.of(
           "--operator lets only %s operate the drone", rule.only().orElseThrow().getHostAddress());
@@ -102,7 +108,7 @@ public final class OperatorSession {
    * Records that {@code peer} has sent something. If the peer's host is the operator, the endpoint
    * is updated to the peer's current address.
    */
-  void heard(Peer peer, SimTime now) {
+  public void heard(Peer peer, SimTime now) {
     if (isOperator(peer)) {
       lastHeard = now;
       released = false;
@@ -118,16 +124,53 @@ public final class OperatorSession {
    * @return the takeover, if the operator has changed
    */
   public Optional<Takeover> open(Peer peer, SimTime now, boolean standing) {
-    boolean same = isOperator(peer);
-    if (same || !rule.accepts(peer.address().getAddress()) || !free(now, standing)) {
+    text = true;
+    if (isOperator(peer) && link.app()) {
+      adopt(unlinked.with(peer));
+    }
+    return isOperator(peer) ? Optional.empty() : take(unlinked.with(peer), now, standing);
+  }
+
+  /**
+   * Handles a connection request of the app: makes its sender the operator if the drone is free, or
+   * if the sender is the operator already. Until the drone loses power, none is accepted after
+   * {@code command}. Measured: TelloPy 95.
+   *
+   * @param standing whether the drone stands on the ground
+   * @param videoPort the port for video on the sender's host
+   * @return whether the sender is the operator now
+   */
+  public boolean openForApp(
+      Peer peer, SimTime now, boolean standing, int videoPort, Packetizer packetizer) {
+    if (text) {
+      return false;
+    }
+    OperatorEndpoint wanted =
+        new OperatorEndpoint(Optional.of(peer), unlinked.statePort(), videoPort, packetizer);
+    if (isOperator(peer)) {
+      adopt(wanted);
+      return true;
+    }
+    return take(wanted, now, standing).isPresent();
+  }
+
+  private Optional<Takeover> take(OperatorEndpoint wanted, SimTime now, boolean standing) {
+    Peer peer = wanted.operator().orElseThrow();
+    if (!rule.accepts(peer.address().getAddress()) || !free(now, standing)) {
       return Optional.empty();
     }
     former = last().filter(lost -> !lost.host().equals(peer.host()));
-    adopt(unlinked.with(peer));
+    adopt(wanted);
     lastHeard = now;
     released = false;
     rests = 0;
     return Optional.of(new Takeover(peer, former));
+  }
+
+  /** Returns the number of the next request, from 1. */
+  public int nextRequest() {
+    requests++;
+    return requests;
   }
 
   private Optional<Peer> last() {
@@ -179,12 +222,16 @@ public final class OperatorSession {
   public boolean wantsState(SimTime now) {
     boolean remote = link.operator().filter(operator -> !operator.local()).isPresent();
     boolean taken = rests == 0 || (rests == 1 && now.since(restsSince) >= TRIES_AGAIN_AFTER);
-    return link.sdkMode() && taken && !(remote && now.since(lastHeard) >= REST_AFTER);
+    return link.sdkMode()
+        && !link.app()
+        && taken
+        && !(remote && now.since(lastHeard) >= REST_AFTER);
   }
 
   /** Ends SDK mode, as on a loss of power. The drone is then free. */
   public void close() {
     former = last();
+    text = false;
     adopt(unlinked);
     released = false;
     rests = 0;

@@ -17,6 +17,7 @@ import tellosimulator.time.SimTime;
  * @param faults supplies the currently active faults
  * @param session the session with the operator, shared by all protocols of the drone
  * @param port sends to the operator and to other peers
+ * @param camera takes the drone's photos
  * @param observer notified of traffic and of the drone's flight events
  */
 public record ProtocolContext(
@@ -29,6 +30,7 @@ public record ProtocolContext(
     Supplier<ActiveFaults> faults,
     OperatorSession session,
     DronePort port,
+    PhotoCamera camera,
     CommandObserver observer) {
 
   SimTime now() {

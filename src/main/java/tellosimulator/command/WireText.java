@@ -15,6 +15,12 @@ public final class WireText {
    */
   public static final int LONGEST = 1024;
 
+  /**
+   * Appended to a packet of the app's protocol in words, because the text protocol has commands of
+   * the same names.
+   */
+  public static final String APP_SUFFIX = " (app)";
+
   private static final int LONGEST_SHOWN = 80;
 
   /** The commands {@code rc} and {@code emergency}, to which the drone never replies. */
@@ -86,6 +92,16 @@ public final class WireText {
    */
   public static boolean isUnanswered(String datagram) {
     return UNANSWERED.contains(firstWord(datagram));
+  }
+
+  /** Whether a command moves the sticks, in either protocol. */
+  public static boolean isSteering(String command) {
+    return command.startsWith(CommandSyntax.RC.verb() + " ");
+  }
+
+  /** Whether a command only reads a value, in either protocol. */
+  public static boolean isRead(String command) {
+    return command.endsWith("?") || command.endsWith("?" + APP_SUFFIX);
   }
 
   private static String firstWord(String datagram) {

@@ -166,6 +166,11 @@ public final class DroneController {
     return faultEffects.unactivated();
   }
 
+  /** Returns why a fault prevents a takeoff; empty if none does. */
+  public Optional<RefusalKind> objectionToTakeoff() {
+    return faultEffects.objectionToTakeoff().map(Result.Refused::kind);
+  }
+
   /** Returns the simulated time at the end of the last step. */
   public SimTime now() {
     return now;
@@ -379,6 +384,11 @@ public final class DroneController {
 
   public Result stream(boolean on) {
     return equipment.stream(on);
+  }
+
+  /** Makes the next picture one with which a decoder can begin. */
+  public void sendKeyPicture() {
+    equipment.sendKeyPicture();
   }
 
   public Result setVideo(VideoOption option, int value) {

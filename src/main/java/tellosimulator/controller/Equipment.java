@@ -46,6 +46,10 @@ final class Equipment {
     return Result.DONE;
   }
 
+  void sendKeyPicture() {
+    model.setVideo(model.video().withKeyPicture());
+  }
+
   Result light(LightOrder order, SimTime now) {
     model.setLights(model.lights().after(order, now));
     return Result.DONE;
@@ -58,6 +62,7 @@ final class Equipment {
           case FRAMES_PER_SECOND -> video.withFramesPerSecond(value);
           case BIT_RATE -> video.withMegabits(value);
           case LINES -> video.withLines(value);
+          case WIDE -> video.withWide(value == 1);
           case DOWNWARD -> video.withDownward(value == 1);
         });
     return Result.DONE;

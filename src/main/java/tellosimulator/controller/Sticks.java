@@ -1,7 +1,7 @@
 package tellosimulator.controller;
 
 /**
- * The four values of {@code rc}, each from -100 to 100.
+ * The four values of {@code rc}, each from -100 to 100; the app's fast mode exceeds that.
  *
  * @param right positive to the right
  * @param forward positive along the nose

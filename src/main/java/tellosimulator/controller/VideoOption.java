@@ -10,6 +10,8 @@ public enum VideoOption {
   BIT_RATE,
   /** Height of a frame [lines]. */
   LINES,
+  /** 1 for 16:9, 0 for 4:3; set by the app. */
+  WIDE,
   /** 1 for the downward camera, 0 for the forward one. */
   DOWNWARD
 }

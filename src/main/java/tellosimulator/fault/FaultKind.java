@@ -39,6 +39,7 @@ public enum FaultKind {
   STRAY_BINARY(
       "The command socket sends binary datagrams of 12, 13 and 35 bytes that begin with CC.",
       new Range(FaultParameter.EVERY, 0.02, 60, 0.5)),
+  CONN_ACK_LOST("The answer to a connection request of the app's protocol is lost."),
   STRANGER(
       "A program on another host sends `command`, and then `land` again and again.",
       new Range(FaultParameter.EVERY, 0.02, 60, 5)),

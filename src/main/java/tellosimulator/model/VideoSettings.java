@@ -8,37 +8,64 @@ package tellosimulator.model;
  * @param framesPerSecond the frame rate [frames/s]
  * @param megabits the bit rate [Mbit/s]; 0 for automatic
  * @param lines the height of a frame
+ * @param wide whether the frame is 16:9 instead of 4:3, and shows a part of the view
  * @param downward whether the picture of the downward camera is sent
+ * @param keyPictures the number of key pictures that have been requested since power-on
  */
 public record VideoSettings(
-    boolean on, int starts, int framesPerSecond, int megabits, int lines, boolean downward) {
+    boolean on,
+    int starts,
+    int framesPerSecond,
+    int megabits,
+    int lines,
+    boolean wide,
+    boolean downward,
+    int keyPictures) {
 
   /** The settings at power-on. Measured: 960 by 720 pixels at 30 frames per second. */
-  public static final VideoSettings DEFAULT = new VideoSettings(false, 0, 30, 0, 720, false);
+  public static final VideoSettings DEFAULT =
+      new VideoSettings(false, 0, 30, 0, 720, false, false, 0);
 
   /** Returns a copy that is switched on. This counts as a new start even if video was on. */
   public VideoSettings started() {
-    return new VideoSettings(true, starts + 1, framesPerSecond, megabits, lines, downward);
+    return new VideoSettings(
+        true, starts + 1, framesPerSecond, megabits, lines, wide, downward, keyPictures);
   }
 
   /** Returns a copy that is switched off. */
   public VideoSettings stopped() {
-    return new VideoSettings(false, starts, framesPerSecond, megabits, lines, downward);
+    return new VideoSettings(
+        false, starts, framesPerSecond, megabits, lines, wide, downward, keyPictures);
   }
 
   public VideoSettings withFramesPerSecond(int newFramesPerSecond) {
-    return new VideoSettings(on, starts, newFramesPerSecond, megabits, lines, downward);
+    return new VideoSettings(
+        on, starts, newFramesPerSecond, megabits, lines, wide, downward, keyPictures);
   }
 
   public VideoSettings withMegabits(int newMegabits) {
-    return new VideoSettings(on, starts, framesPerSecond, newMegabits, lines, downward);
+    return new VideoSettings(
+        on, starts, framesPerSecond, newMegabits, lines, wide, downward, keyPictures);
   }
 
   public VideoSettings withLines(int newLines) {
-    return new VideoSettings(on, starts, framesPerSecond, megabits, newLines, downward);
+    return new VideoSettings(
+        on, starts, framesPerSecond, megabits, newLines, wide, downward, keyPictures);
+  }
+
+  public VideoSettings withWide(boolean newWide) {
+    return new VideoSettings(
+        on, starts, framesPerSecond, megabits, lines, newWide, downward, keyPictures);
   }
 
   public VideoSettings withDownward(boolean newDownward) {
-    return new VideoSettings(on, starts, framesPerSecond, megabits, lines, newDownward);
+    return new VideoSettings(
+        on, starts, framesPerSecond, megabits, lines, wide, newDownward, keyPictures);
+  }
+
+  /** Returns a copy that requests one more key picture. */
+  public VideoSettings withKeyPicture() {
+    return new VideoSettings(
+        on, starts, framesPerSecond, megabits, lines, wide, downward, keyPictures + 1);
   }
 }

@@ -8,16 +8,17 @@ import java.util.function.LongSupplier;
 import tellosimulator.command.OperatorRule;
 import tellosimulator.command.Peer;
 import tellosimulator.command.WireText;
+import tellosimulator.protocol.app.AppProtocol;
 import tellosimulator.sim.Simulation;
 import tellosimulator.time.TokenBucket;
 import tellosimulator.words.Phrase;
 
 /**
- * Decides in the receiver whether a datagram is passed on to the simulation. Commands from the
- * operator's host are always passed on. Token buckets limit all other traffic: one for each host,
- * and a common one for all hosts that do not operate the drone. Traffic from outside the machine's
- * own networks is rejected, unless the {@link OperatorRule} names its host. Rejected datagrams are
- * counted, and only their totals are reported. Thread-safe.
+ * Decides in the receiver whether a datagram is passed on to the simulation. Commands and packets
+ * from the operator's host are always passed on. Token buckets limit all other traffic: one for
+ * each host, and a common one for all hosts that do not operate the drone. Traffic from outside the
+ * machine's own networks is rejected, unless the {@link OperatorRule} names its host. Rejected
+ * datagrams are counted, and only their totals are reported. Thread-safe.
  *
  * <p>This class only protects against floods. The simulation decides the effect of a command.
  */
@@ -113,7 +114,8 @@ final class AdmissionControl {
       return false;
     }
     boolean operates = !rule.exclusive() || operates(sender);
-    if (operates && WireText.beginsLikeCommand(bytes, length)) {
+    if (operates
+        && (WireText.beginsLikeCommand(bytes, length) || AppProtocol.isPacket(bytes, length))) {
       return true;
     }
     Source source = source(sender);

@@ -9,6 +9,7 @@ import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import tellosimulator.command.Peer;
+import tellosimulator.command.PhotoCamera;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
@@ -190,6 +191,11 @@ public final class OnlineSimulation implements AutoCloseable {
       loop.carryOut(power);
       network.close(power.drone());
     }
+  }
+
+  /** Sets the camera with which drones take photos. */
+  public void setCamera(PhotoCamera camera) {
+    simulation.setCamera(camera);
   }
 
   /** Adds a listener. It is notified on the simulation thread. */

@@ -1,5 +1,6 @@
 package tellosimulator.sim;
 
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import tellosimulator.command.CommandObserver;
@@ -11,6 +12,7 @@ import tellosimulator.command.Reply;
 import tellosimulator.command.Request;
 import tellosimulator.controller.FlightEvent;
 import tellosimulator.fault.LinkDirection;
+import tellosimulator.protocol.app.NamedPacket;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
@@ -55,10 +57,13 @@ final class DroneEvents implements CommandObserver {
    */
   void lost(LinkDatagram datagram, Phrase cause) {
     Peer peer = datagram.peer();
+    Optional<NamedPacket> packet = NamedPacket.of(datagram.bytes());
     if (datagram.direction() == LinkDirection.COMMANDS) {
-      events.accept(new SimEvent.CommandLost(now.get(), drone, peer, datagram.text(), cause));
+      String text = packet.map(NamedPacket::words).orElseGet(datagram::text);
+      events.accept(new SimEvent.CommandLost(now.get(), drone, peer, text, cause));
     } else if (datagram.direction() == LinkDirection.REPLIES) {
-      events.accept(new SimEvent.ReplyLost(now.get(), drone, peer, datagram.text(), cause));
+      String text = packet.flatMap(NamedPacket::reply).orElseGet(datagram::text);
+      events.accept(new SimEvent.ReplyLost(now.get(), drone, peer, text, cause));
     }
   }
 

@@ -10,6 +10,8 @@ import tellosimulator.command.Peer;
 import tellosimulator.command.ProtocolContext;
 import tellosimulator.command.TextProtocol;
 import tellosimulator.controller.FlightEvent;
+import tellosimulator.protocol.app.AppProtocol;
+import tellosimulator.protocol.app.NamedPacket;
 import tellosimulator.words.Phrase;
 
 /**
@@ -27,7 +29,7 @@ final class DroneProtocols {
   DroneProtocols(ProtocolContext drone) {
     this.drone = drone;
     session = drone.session();
-    protocols = List.of(new TextProtocol(drone));
+    protocols = List.of(new TextProtocol(drone), new AppProtocol(drone));
   }
 
   /** Handles a datagram that has arrived at the drone. Called only while the drone is on. */
@@ -36,14 +38,12 @@ final class DroneProtocols {
     protocols.stream()
         .filter(protocol -> protocol.claims(bytes))
         .findFirst()
-        .ifPresentOrElse(
-            protocol -> protocol.receive(datagram.peer(), bytes),
-            () -> ignore(datagram, Phrase.of("it belongs to the app's binary protocol")));
+        .ifPresent(protocol -> protocol.receive(datagram.peer(), bytes));
   }
 
   /** Reports a datagram that has no effect. */
   void ignore(LinkDatagram datagram, Phrase reason) {
-    drone.observer().ignored(datagram.peer(), datagram.text(), reason);
+    drone.observer().ignored(datagram.peer(), NamedPacket.text(datagram.bytes()), reason);
   }
 
   /**

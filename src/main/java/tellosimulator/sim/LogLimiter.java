@@ -147,6 +147,9 @@ public final class LogLimiter implements SimListener {
   }
 
   private static boolean inVain(FromPeer sent) {
+    if (sent.text().endsWith(WireText.APP_SUFFIX)) {
+      return sent instanceof SimEvent.TurnedAway || sent instanceof SimEvent.CommandIgnored;
+    }
     boolean answered =
         sent instanceof SimEvent.CommandReceived || sent instanceof SimEvent.CommandRefused;
     return sent instanceof SimEvent.TurnedAway

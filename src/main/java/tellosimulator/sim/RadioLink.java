@@ -18,7 +18,7 @@ import tellosimulator.fault.FaultKind;
 import tellosimulator.fault.FaultParameter;
 import tellosimulator.fault.LinkDirection;
 import tellosimulator.fault.LossyChannel;
-import tellosimulator.fault.StrayDatagram;
+import tellosimulator.protocol.app.StrayPacket;
 import tellosimulator.sensor.SeededNoise;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
@@ -226,7 +226,7 @@ final class RadioLink implements DronePort {
     /** Sends the injected datagrams that are due. */
     void act(Peer operator) {
       if (strays.due()) {
-        byte[] stray = WireText.encode(StrayDatagram.of(strays.count - 1));
+        byte[] stray = StrayPacket.of(strays.count - 1);
         send(new LinkDatagram(LinkDirection.REPLIES, operator, stray, false));
       }
       if (strangers.due()) {

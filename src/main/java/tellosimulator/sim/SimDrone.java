@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import tellosimulator.command.DronePort;
 import tellosimulator.command.LinkDatagram;
 import tellosimulator.command.OperatorSession;
+import tellosimulator.command.PhotoCamera;
 import tellosimulator.command.ProtocolContext;
 import tellosimulator.command.Reply;
 import tellosimulator.controller.ControllerContext;
@@ -59,10 +60,15 @@ final class SimDrone {
    * @param seed the seed of all randomness
    * @param rules the rules of the simulation
    * @param collisionWorld the surroundings
+   * @param camera takes the drones' photos
    * @param events receives all events
    */
   record Neighborhood(
-      long seed, Rules rules, CollisionWorld collisionWorld, Consumer<SimEvent> events) {}
+      long seed,
+      Rules rules,
+      CollisionWorld collisionWorld,
+      PhotoCamera camera,
+      Consumer<SimEvent> events) {}
 
   /**
    * Creates a drone that is switched off.
@@ -121,6 +127,7 @@ final class SimDrone {
                 link::faults,
                 session,
                 link,
+                neighborhood.camera(),
                 events));
     body = new DroneBody(model, controller);
   }

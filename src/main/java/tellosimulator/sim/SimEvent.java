@@ -2,7 +2,6 @@ package tellosimulator.sim;
 
 import java.util.Locale;
 import java.util.Optional;
-import tellosimulator.command.CommandSyntax;
 import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
 import tellosimulator.command.Request;
@@ -312,7 +311,7 @@ public interface SimEvent {
   }
 
   private static Severity ofText(String text) {
-    boolean frequent = text.endsWith("?") || text.startsWith(CommandSyntax.RC.verb() + " ");
+    boolean frequent = WireText.isRead(text) || WireText.isSteering(text);
     return frequent ? Severity.DETAIL : Severity.INFORMATION;
   }
 }

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.function.IntFunction;
 import tellosimulator.command.DronePort;
+import tellosimulator.command.PhotoCamera;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimDrone.Neighborhood;
 import tellosimulator.sim.SimSnapshot.Clock;
@@ -38,15 +39,17 @@ final class SimRun {
    * Begins a run.
    *
    * @param ports supplies the port of the drone with a given number
+   * @param camera takes the drones' photos
    * @param events receives all events
    */
-  SimRun(SimConfig config, IntFunction<DronePort> ports, EventDispatcher events) {
+  SimRun(
+      SimConfig config, IntFunction<DronePort> ports, PhotoCamera camera, EventDispatcher events) {
     this.config = config;
     this.events = events;
     collisionWorld = new CollisionWorld(config.arena(), drones, config.seed());
     clock = new Clock(config.timeFactor(), false);
     Neighborhood neighborhood =
-        new Neighborhood(config.seed(), config.rules(), collisionWorld, this::happened);
+        new Neighborhood(config.seed(), config.rules(), collisionWorld, camera, this::happened);
     for (DroneSetup setup : config.drones()) {
       int number = drones.size() + 1;
       drones.add(new SimDrone(number, setup, ports.apply(number), neighborhood));

@@ -4,10 +4,13 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.IntFunction;
+import java.util.function.Supplier;
 import tellosimulator.command.DronePort;
 import tellosimulator.command.OperatorRule;
 import tellosimulator.command.Peer;
+import tellosimulator.command.PhotoCamera;
 import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.time.PendingWork;
 import tellosimulator.time.SimTime;
@@ -39,6 +42,7 @@ public final class Simulation {
   /** Callbacks to run when the simulation becomes idle. */
   private final List<Runnable> onceStill = new ArrayList<>();
 
+  private volatile PhotoCamera camera = PhotoCamera.NONE;
   private volatile SimRun run;
   private volatile boolean untouched = true;
   private boolean commanded;
@@ -54,15 +58,24 @@ public final class Simulation {
   public Simulation(SimConfig config, IntFunction<DronePort> ports, List<SimListener> listeners) {
     this.ports = ports;
     this.events = new EventDispatcher(listeners);
-    run = new SimRun(config, ports, events);
+    run = new SimRun(config, ports, this::photo, events);
     publish();
+  }
+
+  private Optional<Supplier<byte[]>> photo(int drone, float quality) {
+    return camera.take(drone, quality);
+  }
+
+  /** Sets the camera with which drones take photos. Thread-safe. */
+  public void setCamera(PhotoCamera newCamera) {
+    camera = newCamera;
   }
 
   private void restart(SimConfig config) {
     run.end();
     events.clear();
     events.add(new SimEvent.RunStarted(SimTime.ZERO)); // before the faults that begin with the run
-    run = new SimRun(config, ports, events);
+    run = new SimRun(config, ports, this::photo, events);
   }
 
   /**

@@ -7,6 +7,7 @@ import tellosimulator.video.camera.CameraView;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.VideoEncoder;
+import tellosimulator.video.picture.JpegEncoder;
 import tellosimulator.video.picture.Picture;
 
 /**
@@ -75,6 +76,13 @@ final class FramePipeline {
     Picture picture = adopt(format).picture;
     source.film(snapshot, new CameraId(drone, format.downward()), picture);
     return picture;
+  }
+
+  /** Renders what the forward camera sees, and returns it as a JPEG file. */
+  byte[] photo(SimSnapshot snapshot, float quality) {
+    Picture photo = source.blankPhoto();
+    source.film(snapshot, new CameraId(drone, false), photo);
+    return JpegEncoder.encode(photo, quality);
   }
 
   /**

@@ -13,13 +13,19 @@ import tellosimulator.video.picture.Picture;
 
 /**
  * Reassembles a drone's pictures from the datagrams of its stream without decoding them. Each NAL
- * unit begins with a new datagram, and ends with a datagram that is shorter than the others. If
- * datagrams are lost, the rest of the slice is passed on, just as decoders receive it. Not
- * thread-safe.
+ * unit begins with a new datagram, and ends with a datagram that is shorter than the others, or
+ * that the header of the app's protocol marks as the last. If datagrams are lost, the rest of the
+ * slice is passed on, just as decoders receive it. Not thread-safe.
  */
 public final class ReceivedStream {
 
   private static final int START_CODE_LENGTH = 4;
+
+  /** Length of the header that the app's protocol puts in front of each datagram [bytes]. */
+  private static final int NUMBERS = 2;
+
+  /** The bit in the second byte of that header that marks the last datagram of a NAL unit. */
+  private static final int LAST = 0x80;
 
   /**
    * Maximum size of a NAL unit [bytes]; anything larger is not video. Decided: the data of one
@@ -46,6 +52,7 @@ public final class ReceivedStream {
   private final Consumer<FilmedPicture> pictures;
   private final ByteArrayOutputStream unit = new ByteArrayOutputStream();
   private long begun;
+  private int header;
   private Optional<byte[]> sps = Optional.empty();
   private Optional<byte[]> pps = Optional.empty();
 
@@ -67,24 +74,28 @@ public final class ReceivedStream {
    * @param nanos time of arrival, on any clock [ns]
    */
   public void take(byte[] datagram, long nanos) {
-    if (startsUnit(datagram)) {
+    boolean plain = startsUnit(datagram, 0);
+    boolean numbered = startsUnit(datagram, NUMBERS);
+    if (plain || numbered) {
       finish();
       begun = nanos;
+      header = numbered ? NUMBERS : 0;
+    } else if (unit.size() == 0 || datagram.length < header) {
+      return;
     }
-    if (unit.size() > 0 || startsUnit(datagram)) {
-      unit.writeBytes(datagram);
-    }
-    if (datagram.length < Packetizer.FULL || unit.size() > LARGEST) {
+    unit.write(datagram, header, datagram.length - header);
+    boolean last = header == 0 ? datagram.length < Packetizer.FULL : (datagram[1] & LAST) != 0;
+    if (last || unit.size() > LARGEST) {
       finish();
     }
   }
 
-  private static boolean startsUnit(byte[] datagram) {
-    return datagram.length > START_CODE_LENGTH
-        && datagram[0] == 0
-        && datagram[1] == 0
-        && datagram[2] == 0
-        && datagram[3] == 1;
+  private static boolean startsUnit(byte[] datagram, int at) {
+    return datagram.length > at + START_CODE_LENGTH
+        && datagram[at] == 0
+        && datagram[at + 1] == 0
+        && datagram[at + 2] == 0
+        && datagram[at + 3] == 1;
   }
 
   private void finish() {

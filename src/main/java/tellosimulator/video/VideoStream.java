@@ -2,7 +2,14 @@ package tellosimulator.video;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import org.slf4j.Logger;
@@ -55,6 +62,9 @@ public final class VideoStream implements AutoCloseable {
   /** Interval between pictures for watchers while the stream is not sent [ns]. Decided. */
   private static final long PREVIEW_PERIOD = 100_000_000;
 
+  /** Maximum time to wait for a photo [s]. Decided: much longer than rendering one takes. */
+  private static final int PHOTO_PATIENCE_S = 10;
+
   private final int drone;
   private final Supplier<SimSnapshot> snapshots;
   private final Supplier<FramePipeline> films;
@@ -64,6 +74,10 @@ public final class VideoStream implements AutoCloseable {
   private final VideoConnection connection;
   private final VideoMeter meter = new VideoMeter();
   private final List<VideoWatcher> watchers = new CopyOnWriteArrayList<>();
+
+  /** Photos to be taken. */
+  private final Queue<FutureTask<byte[]>> photos = new ConcurrentLinkedQueue<>();
+
   private final Worker worker;
   private volatile boolean starved;
 
@@ -78,6 +92,9 @@ public final class VideoStream implements AutoCloseable {
    * thread.
    */
   private int announced;
+
+  /** The number of key pictures that have been requested. Confined to the simulation thread. */
+  private int requested;
 
   /** Whether a watcher has been added since the last preview. */
   private volatile boolean unseen;
@@ -99,10 +116,17 @@ public final class VideoStream implements AutoCloseable {
    * @param seen whether pictures must be rendered
    * @param route the route of the datagrams
    * @param start the number of times that {@code streamon} has started the video
+   * @param keyPictures the number of key pictures that have been requested
    */
   private record StreamDemand(
-      boolean sent, boolean encoded, boolean seen, Optional<Route> route, int start) {
-    static final StreamDemand NOTHING = new StreamDemand(false, false, false, Optional.empty(), 0);
+      boolean sent,
+      boolean encoded,
+      boolean seen,
+      Optional<Route> route,
+      int start,
+      int keyPictures) {
+    static final StreamDemand NOTHING =
+        new StreamDemand(false, false, false, Optional.empty(), 0, 0);
   }
 
   /** The content and format of a frame. */
@@ -178,6 +202,17 @@ public final class VideoStream implements AutoCloseable {
     wake();
   }
 
+  /**
+   * Called on the simulation thread after each step. The app's protocol starts the video and
+   * requests key pictures without an event.
+   */
+  void stepped(VideoSettings video) {
+    if ((video.on() && video.starts() != announced) || video.keyPictures() != requested) {
+      requested = video.keyPictures();
+      happened();
+    }
+  }
+
   /** Makes the thread check for changes immediately. */
   void wake() {
     ticker.wake();
@@ -213,14 +248,51 @@ public final class VideoStream implements AutoCloseable {
 
     @Override
     public void onClose() {
+      photos.forEach(photo -> photo.cancel(false));
       connection.close();
     }
   }
 
+  /**
+   * Takes a photo of a snapshot on the stream's thread. The video stands still meanwhile, as on the
+   * real drone. Thread-safe.
+   *
+   * @return waits for the photo, and supplies it as a JPEG file; empty if it failed
+   */
+  Supplier<byte[]> photo(SimSnapshot snapshot, float quality) {
+    FutureTask<byte[]> task = new FutureTask<>(() -> film().photo(snapshot, quality));
+    photos.add(task);
+    wake();
+    return () -> awaited(task);
+  }
+
+  private byte[] awaited(FutureTask<byte[]> task) {
+    try {
+      return task.get(PHOTO_PATIENCE_S, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (ExecutionException e) {
+      LOG.error("The photo of drone {} failed: {}", drone, e.getCause().toString());
+    } catch (TimeoutException | CancellationException e) {
+      LOG.error("The photo of drone {} was not taken: {}", drone, e.toString());
+    }
+    return new byte[0];
+  }
+
+  private void takePhotos() {
+    for (FutureTask<byte[]> task = photos.poll(); task != null; task = photos.poll()) {
+      task.run();
+    }
+  }
+
   private boolean turn() {
+    takePhotos();
     forgetIfRestarted();
     DroneSnapshot now = drone(snapshots.get());
     StreamDemand wish = wish(now);
+    if (wish.keyPictures != last.keyPictures || wish.start != last.start) {
+      reachability.heard(); // the app's protocol has no other sign of life
+    }
     start = wish.start;
     if (resting(now) || !wish.seen) {
       last = wish;
@@ -363,7 +435,8 @@ public final class VideoStream implements AutoCloseable {
             && !reachability.rests(now.link());
     boolean encoded = sent || (powered && watchers.stream().anyMatch(VideoWatcher::needsStream));
     boolean seen = encoded || watchers.stream().anyMatch(VideoWatcher::needsPictures);
-    return new StreamDemand(sent, encoded, seen, Route.of(now.link()), video.starts());
+    return new StreamDemand(
+        sent, encoded, seen, Route.of(now.link()), video.starts(), video.keyPictures());
   }
 
   private DroneSnapshot drone(SimSnapshot snapshot) {

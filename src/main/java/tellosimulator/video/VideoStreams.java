@@ -1,6 +1,7 @@
 package tellosimulator.video;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import tellosimulator.network.OnlineSimulation;
@@ -70,8 +71,15 @@ public final class VideoStreams implements SimListener, AutoCloseable {
       OnlineSimulation simulation, Supplier<FrameSource> cameras, VideoEncoder.Factory encoders) {
     VideoStreams streams =
         new VideoStreams(simulation::snapshot, cameras, encoders, simulation::tap);
-    simulation.listen(streams);
+    streams.join(simulation);
     return streams;
+  }
+
+  /** Registers these streams as a listener of a simulation, and as the camera of its drones. */
+  public void join(OnlineSimulation simulation) {
+    simulation.listen(this);
+    simulation.setCamera(
+        (drone, quality) -> Optional.of(stream(drone).photo(snapshots.get(), quality)));
   }
 
   /** Returns the stream of a drone. */
@@ -93,6 +101,13 @@ public final class VideoStreams implements SimListener, AutoCloseable {
       stream(one.drone()).heard();
     }
     stream(one.drone()).happened();
+  }
+
+  @Override
+  public void stepped(SimSnapshot snapshot) {
+    for (int i = 0; i < streams.size(); i++) {
+      streams.get(i).stepped(snapshot.drones().get(i).state().video());
+    }
   }
 
   private boolean fromOperator(SimEvent.CommandReceived command) {

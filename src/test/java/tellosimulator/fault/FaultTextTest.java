@@ -95,7 +95,7 @@ class FaultTextTest {
       textBlock =
           """
           lost 20%              | there is no "lost", did you mean loss?
-          xyz                   | expected one of bandwidth, baro-jump, corrupt, cut,
+          xyz                   | expected one of bandwidth, baro-jump, conn-ack-lost,
           loss stat             | loss has no "stat", did you mean state?
           loss wobble           | loss has no "wobble", but only commands, replies, state, video, share, burst, drone, at, after, for
           loss 120%             | share is 120%, but must be from 0% to 100%

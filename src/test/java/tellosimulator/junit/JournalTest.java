@@ -13,6 +13,7 @@ import java.util.List;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import tellosimulator.junit.JournalEntry.Outcome;
+import tellosimulator.testing.AppPackets;
 
 @TelloTest
 class JournalTest {
@@ -157,5 +158,19 @@ class JournalTest {
   @TelloTest(link = "lab", faults = "loss state 50%", seed = 3)
   void aTestBeginsWithItsOwn(TelloSimulation simulation) {
     assertThat(simulation.faults().running(1)).containsExactly("loss state 50%");
+  }
+
+  @Test
+  void packetsOfTheAppAreNamedInWords(SimulatedDrone drone) throws IOException {
+    ScriptedOperator.send(
+        drone, AppPackets.CONNECT, AppPackets.SSID, AppPackets.TAKEOFF, AppPackets.STICKS);
+    Journal journal = drone.journal();
+
+    assertThat(journal.await("takeoff", PATIENCE).reply()).isEqualTo("ok");
+    assertThat(journal.await("rc", PATIENCE).replies()).isEmpty();
+    assertThat(journal.await("ssid? (app)", PATIENCE).reply()).isEqualTo("TELLO-000001");
+    assertThat(journal.commands())
+        .startsWith("conn_req (app)", "ssid? (app)", "takeoff (app)", "rc 0 50 0 -100 (app)");
+    journal.never("land");
   }
 }

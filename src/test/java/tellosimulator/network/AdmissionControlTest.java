@@ -36,6 +36,7 @@ class AdmissionControlTest {
 
     assertThat(admitted(admission, OPERATOR, "battery?", 100_000)).isEqualTo(100_000);
     assertThat(admitted(admission, OPERATOR, "Re0101 forward 50", 100_000)).isEqualTo(100_000);
+    assertThat(admitted(admission, OPERATOR, "\u00ccsticks", 100_000)).isEqualTo(100_000);
   }
 
   @Test

@@ -12,7 +12,7 @@ class DroneProtocolsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"\u00cc\u0018\u0001\u00b9", "conn_req:\u0096\u0017", "\u00cc"})
-  void aDatagramThatNoProtocolClaimsIsIgnored(String bytes) {
+  void theAppIsNotHeardWhileTheDroneSpeaksText(String bytes) {
     SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
     drone.ask("command");
     drone.ask("takeoff");
@@ -20,14 +20,7 @@ class DroneProtocolsTest {
     drone.send(bytes);
 
     assertThat(drone.replies()).hasSize(2);
-    assertThat(drone.events())
-        .last()
-        .isInstanceOfSatisfying(
-            SimEvent.CommandIgnored.class,
-            ignored -> {
-              assertThat(ignored.text()).isEqualTo(bytes);
-              assertThat(ignored.reason().english()).contains("binary protocol");
-            });
+    assertThat(drone.link().app()).isFalse();
   }
 
   @ParameterizedTest

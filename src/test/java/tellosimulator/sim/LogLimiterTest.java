@@ -45,6 +45,17 @@ class LogLimiterTest {
   }
 
   @Test
+  void whatTheAppAsksIsACommandAndWhatIsTurnedAwayIsNot() {
+    for (int i = 0; i < 1000; i++) {
+      limiter.event(
+          new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(i, OPERATOR, "ssid? (app)")));
+      limiter.event(new SimEvent.TurnedAway(SimTime.ZERO, 1, STRANGER, "land (app)", REASON));
+    }
+
+    assertThat(told).hasSize(1001);
+  }
+
+  @Test
   void oneWhoIsTurnedAwayIsToldOnce() {
     for (int i = 0; i < 1000; i++) {
       limiter.event(new SimEvent.TurnedAway(SimTime.ZERO, 1, STRANGER, "takeoff", REASON));

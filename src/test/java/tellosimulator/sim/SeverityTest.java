@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
+import tellosimulator.testing.AppPackets;
 import tellosimulator.testing.SteppedDrone;
 
 class SeverityTest {
@@ -55,5 +56,17 @@ class SeverityTest {
 
   private Severity lastSeverity() {
     return drone.events().get(drone.events().size() - 1).severity();
+  }
+
+  @Test
+  void readsAndSticksOfTheAppAreDetails() {
+    drone.send(AppPackets.CONNECT);
+    assertThat(lastSeverity()).isEqualTo(Severity.INFORMATION);
+    drone.send(AppPackets.SSID);
+    assertThat(lastSeverity()).as("reply to a read").isEqualTo(Severity.DETAIL);
+    drone.send(AppPackets.STICKS);
+    assertThat(lastSeverity()).isEqualTo(Severity.DETAIL);
+    drone.send(AppPackets.TAKEOFF);
+    assertThat(lastSeverity()).isEqualTo(Severity.INFORMATION);
   }
 }

@@ -10,6 +10,7 @@ import java.util.function.BooleanSupplier;
 import tellosimulator.command.DronePort;
 import tellosimulator.command.OperatorEndpoint;
 import tellosimulator.command.Peer;
+import tellosimulator.command.PhotoCamera;
 import tellosimulator.command.WireText;
 import tellosimulator.fault.LinkDirection;
 import tellosimulator.fault.LinkPreset;
@@ -139,6 +140,11 @@ public final class SteppedDrone {
     simulation.control(control);
     simulation.drain();
     collect();
+  }
+
+  /** Sets the camera with which the drone takes photos. */
+  public void setCamera(PhotoCamera camera) {
+    simulation.setCamera(camera);
   }
 
   // --- time ---

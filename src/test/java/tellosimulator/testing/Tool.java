@@ -18,10 +18,19 @@ import java.util.stream.Stream;
  * them.
  */
 public enum Tool {
+  /** Rust's {@code cargo}, with the crate that {@code conformance/rust} needs. */
+  CARGO(
+      "cargo, which can build conformance/rust",
+      "build",
+      "--quiet",
+      "--manifest-path",
+      "conformance/rust/Cargo.toml"),
   CHROMIUM("apt-get install chromium", "--version"),
   /** {@code dpkg}, which installs the Debian package. */
   DPKG("apt-get install dpkg", "--version"),
   FFMPEG("apt-get install ffmpeg", "-version"),
+  /** Go, newer than that of Debian, with the modules that {@code conformance/go} needs. */
+  GO("Go 1.20 or later, which can build conformance/go", "build", "-C", "conformance/go", "./..."),
   MKFIFO("apt-get install coreutils", "--version"),
   NODE("apt-get install nodejs", "--version"),
   PS("apt-get install procps", "--version"),
@@ -43,7 +52,7 @@ public enum Tool {
       "python3 -m venv conformance/.venv"
           + " && conformance/.venv/bin/pip install -r conformance/requirements.txt",
       "-c",
-      "import av, cv2.aruco, djitellopy, junitparser, mcap, pytest, tello_asyncio");
+      "import av, cv2.aruco, djitellopy, junitparser, mcap, pytest, tello_asyncio, tellopy");
 
   private static final boolean WINDOWS = File.separatorChar == '\\';
 
@@ -71,7 +80,7 @@ public enum Tool {
 
   /** Returns whether a build server may be unable to provide it. */
   boolean canBeForbidden() {
-    return this == NAMESPACES;
+    return this == NAMESPACES || this == GO || this == CARGO;
   }
 
   /**

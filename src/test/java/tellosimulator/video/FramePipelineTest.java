@@ -147,6 +147,13 @@ class FramePipelineTest {
   }
 
   @Test
+  void thePictureOfTheAppMayBeWide() {
+    Picture wide = film.capture(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withWide(true)));
+
+    assertThat(List.of(wide.width(), wide.height())).containsExactly(1280, 720);
+  }
+
+  @Test
   void theCameraThatLooksDownFilmsWhenItIsAskedFor() {
     Picture ahead = film.capture(snapshot, VideoFormat.of(VideoSettings.DEFAULT));
     assertThat(taken).containsExactly(new CameraId(1, false));

@@ -11,14 +11,24 @@ import tellosimulator.model.DroneSpec;
  *
  * @param fieldOfView horizontal field of view of the forward camera [rad]
  * @param tilt angle by which the forward camera faces down [rad]
+ * @param photoWidth width of photos [pixels]
  */
-public record DroneOptics(double fieldOfView, double tilt) {
+public record DroneOptics(double fieldOfView, double tilt, int photoWidth) {
 
   /** Width of a frame [pixels]. Measured: 960 by 720 (CAP and others). */
   public static final int WIDTH = 960;
 
   /** Height of a frame [pixels]. */
   public static final int HEIGHT = 720;
+
+  /** Width of a photo [pixels]. Documented: 5 megapixels, Tello User Manual; 2592 by 1936. */
+  public static final int PHOTO_WIDTH = 2592;
+
+  /** Height of a photo [pixels]. */
+  private static final int PHOTO_HEIGHT = 1936;
+
+  /** Smallest configurable width of photos [pixels]. Decided. */
+  public static final int SMALLEST_PHOTO = 64;
 
   /**
    * Diagonal field of view according to the manual [degrees]. Documented: Tello User Manual. The
@@ -36,7 +46,7 @@ public record DroneOptics(double fieldOfView, double tilt) {
   public static final int STEEPEST_DEG = 90;
 
   public static final DroneOptics DEFAULT =
-      new DroneOptics(DroneSpec.CAMERA_FIELD_OF_VIEW, DroneSpec.CAMERA_TILT);
+      new DroneOptics(DroneSpec.CAMERA_FIELD_OF_VIEW, DroneSpec.CAMERA_TILT, PHOTO_WIDTH);
 
   /**
    * Position of the downward camera, in the body frame [m]. Assumed: in the middle of the
@@ -74,6 +84,10 @@ public record DroneOptics(double fieldOfView, double tilt) {
       throw new IllegalArgumentException(
           "tilt is " + tilt + ", but must be between -pi/2 and pi/2");
     }
+    if (photoWidth < SMALLEST_PHOTO || photoWidth % 2 != 0) {
+      throw new IllegalArgumentException(
+          "photoWidth is " + photoWidth + ", but must be even and at least " + SMALLEST_PHOTO);
+    }
   }
 
   /**
@@ -84,6 +98,11 @@ public record DroneOptics(double fieldOfView, double tilt) {
   public static double horizontalFieldOfView(double diagonal) {
     double share = WIDTH / StrictMath.hypot(WIDTH, HEIGHT);
     return 2 * StrictMath.atan(share * StrictMath.tan(diagonal / 2));
+  }
+
+  /** Returns the height of photos [pixels], even. */
+  public int photoHeight() {
+    return photoWidth * PHOTO_HEIGHT / PHOTO_WIDTH / 2 * 2;
   }
 
   /**

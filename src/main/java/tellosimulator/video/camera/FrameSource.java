@@ -15,6 +15,11 @@ public interface FrameSource {
    */
   void film(SimSnapshot snapshot, CameraId camera, Picture picture);
 
+  /** Returns a black picture in the size of photos. */
+  default Picture blankPhoto() {
+    return new Picture(DroneOptics.DEFAULT.photoWidth(), DroneOptics.DEFAULT.photoHeight());
+  }
+
   /**
    * Returns everything that determines a frame of a snapshot, except the noise; empty if this
    * source cannot determine it.

@@ -64,6 +64,11 @@ public final class SoftwareFrameSource implements FrameSource {
     return Optional.of(seen(snapshot, camera));
   }
 
+  @Override
+  public Picture blankPhoto() {
+    return new Picture(optics.photoWidth(), optics.photoHeight());
+  }
+
   private CameraView seen(SimSnapshot snapshot, CameraId camera) {
     Pose drone = state(snapshot, camera.drone()).motion().pose();
     return new CameraView(scenes.scene(snapshot, camera.drone()), drone, camera.downward());

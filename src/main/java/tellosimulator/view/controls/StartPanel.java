@@ -111,7 +111,8 @@ final class StartPanel extends VBox {
         wanted(crash, Quantity.CRASH_SPEED, present.crashSpeed()),
         new DroneOptics(
             wanted(fieldOfView, FIELD_OF_VIEW, optics.fieldOfView()),
-            wanted(tilt, TILT, optics.tilt())));
+            wanted(tilt, TILT, optics.tilt()),
+            optics.photoWidth()));
   }
 
   private static double wanted(NumberField field, Quantity quantity, double before) {

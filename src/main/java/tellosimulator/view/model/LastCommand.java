@@ -5,6 +5,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import tellosimulator.command.WireText;
 import tellosimulator.sim.Severity;
 import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimInput;
 import tellosimulator.sim.SimListener;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
@@ -68,6 +69,13 @@ public final class LastCommand implements SimListener {
   /** Forgets the latest command. */
   public void clear() {
     newest.set(Optional.empty());
+  }
+
+  @Override
+  public void onInput(SimTime now, SimInput input) {
+    if (input instanceof SimInput.Datagram) {
+      heard = now;
+    }
   }
 
   @Override

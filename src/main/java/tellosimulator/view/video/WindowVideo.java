@@ -56,7 +56,7 @@ public final class WindowVideo implements AutoCloseable {
   public static WindowVideo of(
       OnlineSimulation simulation, DroneOptics optics, MediaFolder folder) {
     WindowVideo video = new WindowVideo(simulation::snapshot, optics, folder, simulation::tap);
-    simulation.listen(video.streams);
+    video.streams.join(simulation);
     return video;
   }
 

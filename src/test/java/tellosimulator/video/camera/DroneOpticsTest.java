@@ -31,7 +31,8 @@ class DroneOpticsTest {
   @ParameterizedTest
   @CsvSource({"55, 15", "55, 90", "55, -90", "150, 15", "150, 60", "10, 0"})
   void theNearPlaneDoesNotClipTheFloorBelowAStandingDrone(double fieldOfViewDeg, double tiltDeg) {
-    DroneOptics optics = new DroneOptics(Math.toRadians(fieldOfViewDeg), Math.toRadians(tiltDeg));
+    DroneOptics optics =
+        new DroneOptics(Math.toRadians(fieldOfViewDeg), Math.toRadians(tiltDeg), 640);
     Quad floor = new Quad(new Vec3(-50, 50, 0), new Vec3(0, -100, 0), new Vec3(100, 0, 0));
 
     RenderedFrame seen =

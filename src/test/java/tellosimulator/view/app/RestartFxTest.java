@@ -22,7 +22,7 @@ import tellosimulator.view.model.StartSettings;
 class RestartFxTest {
 
   private static final StartSettings OTHER =
-      new StartSettings(9, 0.5, new DroneOptics(Math.toRadians(70), Math.toRadians(5)));
+      new StartSettings(9, 0.5, new DroneOptics(Math.toRadians(70), Math.toRadians(5), 640));
 
   @RegisterExtension
   final AppFixture window = new AppFixture(() -> new Stage(StageStyle.UNDECORATED));

@@ -10,6 +10,7 @@ import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
 import tellosimulator.command.Request;
 import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimInput;
 import tellosimulator.time.SimTime;
 import tellosimulator.view.model.LastCommand.Outcome;
 import tellosimulator.view.model.LastCommand.Shown;
@@ -97,5 +98,23 @@ class LastCommandTest {
     last.event(new SimEvent.CommandIgnored(SimTime.ZERO, 1, PEER, "up 20", reason));
     assertThat(last.newest())
         .contains(new Shown(1, 0, "up 20", Outcome.FAILED, "", Optional.of(reason)));
+  }
+
+  @Test
+  void everyDatagramIsHeard() {
+    last.onInput(SimTime.ZERO.plus(40), new SimInput.Datagram(1, PEER, new byte[1]));
+
+    assertThat(last.silence(41)).isEqualTo(1);
+  }
+
+  @Test
+  void readsAndSticksOfTheAppDoNotCount() {
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(1, PEER, "ssid? (app)")));
+    last.event(
+        new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(2, PEER, "rc 0 9 0 0 (app)")));
+    assertThat(last.newest()).isEmpty();
+
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, new Request(3, PEER, "land (app)")));
+    assertThat(last.newest().map(Shown::text)).contains("land (app)");
   }
 }
