@@ -19,9 +19,9 @@ public record CommandPair(
     differing = Set.copyOf(differing);
   }
 
-  /** The text of the command as it was sent. */
+  /** The text of the command; in words if it is a packet of the app's protocol. */
   public String text() {
-    return either().command().text();
+    return either().command().words();
   }
 
   /** Whether the two commands agree in all aspects. */

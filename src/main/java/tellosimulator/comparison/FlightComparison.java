@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import tellosimulator.command.WireText;
 import tellosimulator.comparison.Tolerance.Aspect;
 import tellosimulator.recording.RecordedCommand;
 import tellosimulator.recording.RecordedFlight;
@@ -34,7 +35,7 @@ public record FlightComparison(List<CommandPair> pairs) {
   /** The commands of one drone in one flight. */
   private record Sequence(List<FlownCommand> commands) {
     String text(int index) {
-      return commands.get(index).command().text();
+      return commands.get(index).command().words();
     }
 
     int size() {
@@ -64,7 +65,7 @@ public record FlightComparison(List<CommandPair> pairs) {
       List<ReportedState> own = states.stream().filter(state -> state.drone() == drone).toList();
       return new Sequence(
           recording.commands().stream()
-              .filter(command -> command.drone() == drone && !command.text().startsWith("rc "))
+              .filter(command -> command.drone() == drone && !WireText.isSteering(command.words()))
               .map(command -> FlownCommand.of(command, own))
               .toList());
     }

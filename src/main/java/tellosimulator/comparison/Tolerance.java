@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import tellosimulator.command.WireText;
 import tellosimulator.comparison.FlownCommand.Motion;
 
 /**
@@ -37,7 +38,7 @@ public record Tolerance(double share, double seconds, double centimeters, double
   /** Returns the aspects in which a command differs between two flights. */
   Set<Aspect> differing(FlownCommand first, FlownCommand second) {
     Set<Aspect> differing = EnumSet.noneOf(Aspect.class);
-    boolean read = first.command().text().endsWith("?");
+    boolean read = WireText.isRead(first.command().words());
     if (first.command().answered().isPresent() != second.command().answered().isPresent()
         || (!read && !reply(first).equals(reply(second)))) {
       differing.add(Aspect.REPLY);

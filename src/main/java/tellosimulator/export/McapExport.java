@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tellosimulator.json.Json;
 import tellosimulator.math.Frames;
+import tellosimulator.protocol.app.NamedPacket;
 import tellosimulator.recording.FlightCsvReader;
 import tellosimulator.recording.RecordedDatagram;
 import tellosimulator.recording.RecordedEvent;
@@ -118,7 +119,8 @@ final class McapExport {
             "from", datagram.from(),
             "to", datagram.to(),
             "bytes", datagram.length(),
-            "text", datagram.text());
+            "text", datagram.text(),
+            "words", NamedPacket.of(datagram.payload()).map(NamedPacket::words));
     send("/wire", ANY_SCHEMA, datagram.time(), message);
     if (datagram.kind().equals("state")) {
       String topic = "/drone" + datagram.drone() + "/state";

@@ -2,13 +2,15 @@ package tellosimulator.headless;
 
 import java.util.HashSet;
 import java.util.Set;
+import tellosimulator.command.WireText;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 
 /**
  * Detects programs that do not wait for replies: they send {@code rc}, which has none, or a command
- * before the reply to the one before. What such a program does depends on how fast simulated time
- * passes. Notified on the simulation thread; all other methods are thread-safe.
+ * before the reply to the one before, or speak the app's protocol, which answers an order at its
+ * beginning. What such a program does depends on how fast simulated time passes. Notified on the
+ * simulation thread; all other methods are thread-safe.
  */
 final class PaceWatch implements SimListener {
 
@@ -38,7 +40,7 @@ final class PaceWatch implements SimListener {
   @Override
   public void event(SimEvent event) {
     if (event instanceof SimEvent.CommandReceived received) {
-      boolean waited = unanswered.add(received.drone()) && !received.text().startsWith("rc");
+      boolean waited = unanswered.add(received.drone()) && !isNotWaitedFor(received.text());
       if (active && !impatient && !waited) {
         impatient = true;
         notified.run();
@@ -48,5 +50,9 @@ final class PaceWatch implements SimListener {
     } else if (event instanceof SimEvent.OfCommand command) {
       unanswered.remove(command.drone());
     }
+  }
+
+  private static boolean isNotWaitedFor(String command) {
+    return WireText.isSteering(command) || command.endsWith(WireText.APP_SUFFIX);
   }
 }

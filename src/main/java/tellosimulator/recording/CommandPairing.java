@@ -4,8 +4,11 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import tellosimulator.command.WireText;
+import tellosimulator.protocol.app.NamedPacket;
 import tellosimulator.recording.RecordedCommand.Outcome;
 import tellosimulator.words.Phrase;
 
@@ -35,6 +38,9 @@ final class CommandPairing {
 
   /** Indexes of the commands that were found in events. */
   private final Map<Key, Integer> indexes = new HashMap<>();
+
+  /** Indexes of the unanswered packets of the app's protocol, by the numbers of their exchanges. */
+  private final Map<Key, Integer> packets = new HashMap<>();
 
   private final Map<Integer, WirePairing> wire = new HashMap<>();
 
@@ -100,22 +106,43 @@ final class CommandPairing {
     double time = line.moment("t").orElse(0);
     String text = line.text("text");
     WirePairing pairing = wire.computeIfAbsent(drone, number -> new WirePairing());
+    Optional<NamedPacket> packet = NamedPacket.of(WireText.encode(text));
     switch (line.text("kind")) {
-      case "command" -> pairing.sent(begin(drone, time, text), time, text);
-      case "reply" -> answer(pairing, time, text.stripTrailing());
+      case "command" -> {
+        if (packet.isEmpty()) {
+          pairing.sent(begin(drone, time, text), time, text);
+        } else if (packet.get().command()) {
+          packets.put(new Key(drone, packet.get().exchange()), begin(drone, time, text));
+        }
+      }
+      case "reply" ->
+          packet.ifPresentOrElse(
+              named -> answer(drone, time, named),
+              () -> answer(pairing, time, text.stripTrailing()));
       default -> {
         // state and video are not replies
       }
     }
   }
 
+  /** Ends the packet that a packet of the drone answers, if it answers one. */
+  private void answer(int drone, double time, NamedPacket packet) {
+    Integer index = packets.remove(new Key(drone, packet.exchange()));
+    if (index != null && packet.reply().isPresent()) {
+      end(index, time, packet.reply().get().stripTrailing());
+    }
+  }
+
   private void answer(WirePairing pairing, double time, String reply) {
     OptionalInt found = pairing.answered(time, reply);
     if (found.isPresent()) {
-      int index = found.getAsInt();
-      OptionalDouble answered = OptionalDouble.of(time);
-      commands.set(index, commands.get(index).ended(outcome(reply), answered, reply, NO_REASON));
+      end(found.getAsInt(), time, reply);
     }
+  }
+
+  private void end(int index, double time, String reply) {
+    OptionalDouble answered = OptionalDouble.of(time);
+    commands.set(index, commands.get(index).ended(outcome(reply), answered, reply, NO_REASON));
   }
 
   private static Outcome outcome(String reply) {

@@ -5,6 +5,7 @@ import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.Set;
 import java.util.function.Consumer;
 import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
@@ -13,6 +14,7 @@ import tellosimulator.concurrent.Worker;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Progress;
 import tellosimulator.network.WireTap.Kind;
+import tellosimulator.protocol.app.NamedPacket;
 import tellosimulator.sim.SimInput;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.WallTime;
@@ -22,7 +24,8 @@ import tellosimulator.words.Phrase;
  * Records the flights of a real drone from its network traffic. Each flight is recorded into its
  * own folder. Because only the traffic is known, a flight begins with the takeoff command. The
  * flight ends three seconds after {@code land} was answered with {@code ok}, after {@code
- * emergency}, or after the takeoff was refused. It also ends when the operator has been silent for
+ * emergency}, or after the takeoff was refused. In the app's protocol, which answers a landing at
+ * its beginning, it ends {@link #LANDING} later. It also ends when the operator has been silent for
  * a minute. Recorded times count from the creation of the recorder.
  *
  * <p>The calling thread only adds records to a queue. Not thread-safe, except for {@link #close},
@@ -42,6 +45,15 @@ public final class DroneRecorder implements AutoCloseable {
    * takes longer.
    */
   private static final long SILENCE = 60_000_000_000L;
+
+  /** Time from the answer to a landing in the app's protocol until it is over [ns]. Decided. */
+  private static final long LANDING = 10_000_000_000L;
+
+  /** The packets of the app's protocol that make a drone take off. */
+  private static final Set<String> APP_TAKEOFFS = Set.of("takeoff (app)", "throw and go (app)");
+
+  /** The packets of the app's protocol that make a drone land. */
+  private static final Set<String> APP_LANDINGS = Set.of("land (app)", "palm landing (app)");
 
   private static final Progress NO_GOALS =
       new Progress(Challenge.NONE, List.of(), 0, Optional.empty());
@@ -94,15 +106,16 @@ public final class DroneRecorder implements AutoCloseable {
    * @param to the drone
    */
   public void command(long nanos, InetSocketAddress from, InetSocketAddress to, byte[] bytes) {
-    String text = WireText.decode(bytes);
-    String verb = text.strip();
+    String verb = NamedPacket.text(bytes).strip();
     tick(nanos);
-    if (WirePairing.TAKEOFFS.contains(verb)) {
+    if (WirePairing.TAKEOFFS.contains(verb) || APP_TAKEOFFS.contains(verb)) {
       takeOff(nanos);
     } else if (verb.equals("land")) {
       landing = true;
     } else if (verb.equals("emergency")) {
       isDown(nanos);
+    } else if (verb.equals("stop landing (app)")) {
+      down = OptionalLong.empty();
     }
     lastCommand = nanos;
     SimInput datagram = new SimInput.Datagram(1, new Peer(from, to), bytes);
@@ -121,7 +134,9 @@ public final class DroneRecorder implements AutoCloseable {
       long nanos, Kind kind, InetSocketAddress from, InetSocketAddress to, byte[] bytes) {
     tick(nanos);
     if (kind == Kind.REPLY) {
-      reply(nanos, WireText.decode(bytes).strip());
+      NamedPacket.of(bytes)
+          .ifPresentOrElse(
+              packet -> reply(nanos, packet), () -> reply(nanos, WireText.decode(bytes).strip()));
     }
     queue.add(new Entry.Sent(time(nanos), nanos, 1, kind, new Entry.Ends(from, to), bytes));
   }
@@ -146,6 +161,19 @@ public final class DroneRecorder implements AutoCloseable {
     }
     takingOff &= !text.equals("ok") && (!refused || text.equals(Reply.NOT_JOYSTICK.text()));
     landing &= !text.equals("ok") && (!refused || text.equals(Reply.AUTO_LAND.text()));
+  }
+
+  /** Processes an answer in the app's protocol. */
+  private void reply(long nanos, NamedPacket packet) {
+    boolean refused = packet.reply().filter(Reply.ERROR.text()::equals).isPresent();
+    if (takingOff && APP_TAKEOFFS.contains(packet.words())) {
+      takingOff = false;
+      if (refused) {
+        isDown(nanos);
+      }
+    } else if (!refused && APP_LANDINGS.contains(packet.words())) {
+      isDown(nanos + LANDING);
+    }
   }
 
   private void isDown(long nanos) {

@@ -42,7 +42,13 @@ final class FlightRowState {
       Pattern.compile(";(h|tof|baro|yaw|bat):([-.0-9]{1,12})(?=;)");
 
   private static final String STICK = " +([-+]?[0-9]{1,3}(?:\\.[0-9]{1,6})?)";
-  private static final Pattern RC = Pattern.compile(CommandSyntax.RC.verb() + STICK.repeat(4));
+  private static final Pattern RC =
+      Pattern.compile(
+          CommandSyntax.RC.verb()
+              + STICK.repeat(4)
+              + "(?:"
+              + Pattern.quote(WireText.APP_SUFFIX)
+              + ")?");
 
   /** Unanswered commands by number, in order of arrival. */
   private final Map<Integer, String> open = new LinkedHashMap<>();

@@ -1,6 +1,8 @@
 package tellosimulator.recording;
 
 import java.util.OptionalDouble;
+import tellosimulator.command.WireText;
+import tellosimulator.protocol.app.NamedPacket;
 import tellosimulator.words.Phrase;
 
 /**
@@ -42,6 +44,11 @@ public record RecordedCommand(
     public boolean wrong() {
       return this != ANSWERED && this != UNANSWERED;
     }
+  }
+
+  /** Returns the text; for a packet of the app's protocol, its words. */
+  public String words() {
+    return NamedPacket.text(WireText.encode(text));
   }
 
   /** Returns a copy of this command with the given outcome. */

@@ -17,6 +17,7 @@ import tellosimulator.json.JsonRecords;
 import tellosimulator.math.Frames;
 import tellosimulator.model.Motion;
 import tellosimulator.network.WireTap.Kind;
+import tellosimulator.protocol.app.NamedPacket;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimInput;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
@@ -79,7 +80,8 @@ final class RecordingFormat {
             "kind", Kind.COMMAND.word(),
             "from", JsonRecords.text(datagram.peer().address()),
             "to", JsonRecords.text(datagram.peer().via()),
-            "text", datagram.text()));
+            "text", datagram.text(),
+            "words", NamedPacket.of(datagram.bytes()).map(NamedPacket::words)));
   }
 
   /** Formats a sent datagram. */
@@ -96,7 +98,11 @@ final class RecordingFormat {
             "to", JsonRecords.text(datagram.ends().to()),
             "size", video.map(bytes -> bytes.length),
             "sha256", video.map(this::digest),
-            "text", Optional.of(datagram.text()).filter(text -> video.isEmpty())));
+            "text", Optional.of(datagram.text()).filter(text -> video.isEmpty()),
+            "words",
+                NamedPacket.of(datagram.bytes())
+                    .filter(packet -> video.isEmpty())
+                    .map(NamedPacket::words)));
   }
 
   private String digest(byte[] bytes) {

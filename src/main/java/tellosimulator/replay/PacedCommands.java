@@ -16,6 +16,8 @@ import java.util.stream.IntStream;
 import tellosimulator.command.CommandSyntax;
 import tellosimulator.command.Peer;
 import tellosimulator.command.WireText;
+import tellosimulator.protocol.app.NamedPacket;
+import tellosimulator.protocol.app.VideoPort;
 import tellosimulator.recording.RecordedCommand;
 import tellosimulator.recording.RecordedCommand.Outcome;
 import tellosimulator.recording.RecordedInputs.RecordedInput;
@@ -41,6 +43,9 @@ final class PacedCommands implements Inputs {
    */
   private static final double PATIENCE = 20;
 
+  /** Connects in the app's protocol, with the video for port 6038. */
+  private static final String APP_GREETING = "conn_req:\u0096\u0017";
+
   private static final Peer PROGRAM =
       new Peer(
           new InetSocketAddress(InetAddress.getLoopbackAddress(), 50_000),
@@ -54,7 +59,13 @@ final class PacedCommands implements Inputs {
    * @param gap the delay after that reply or command [s]
    * @param patience the maximum delay after the previous command [s]
    */
-  private record Step(String text, OptionalInt awaited, double gap, double patience) {}
+  private record Step(String text, OptionalInt awaited, double gap, double patience) {
+
+    /** Whether it belongs to the app's protocol, in which only the time tells what comes next. */
+    private boolean ofApp() {
+      return PacedCommands.ofApp(text);
+    }
+  }
 
   /** The commands for one drone, and a record of which have been sent and answered. */
   private static final class Program {
@@ -102,6 +113,7 @@ final class PacedCommands implements Inputs {
       List<RecordedCommand> own =
           commands.stream()
               .filter(command -> command.drone() == number && command.outcome() != Outcome.LOST)
+              .filter(command -> !command.text().endsWith(WireText.APP_SUFFIX)) // only its words
               .toList();
       Program program = new Program();
       program.steps.addAll(steps(own));
@@ -109,10 +121,17 @@ final class PacedCommands implements Inputs {
     }
   }
 
+  private static boolean ofApp(String text) {
+    return NamedPacket.of(WireText.encode(text)).isPresent();
+  }
+
   private static List<Step> steps(List<RecordedCommand> commands) {
     List<Step> steps = new ArrayList<>();
-    String greeting = CommandSyntax.COMMAND.verb();
-    if (!commands.isEmpty() && !commands.get(0).text().strip().equals(greeting)) {
+    String first = commands.isEmpty() ? "" : commands.get(0).text();
+    String greeting = ofApp(first) ? APP_GREETING : CommandSyntax.COMMAND.verb();
+    if (!first.isEmpty()
+        && VideoPort.of(WireText.encode(first)).isEmpty()
+        && !first.strip().equals(greeting)) {
       steps.add(new Step(greeting, OptionalInt.empty(), 0, PATIENCE)); // sent before this recording
     }
     int offset = steps.size();
@@ -133,7 +152,7 @@ final class PacedCommands implements Inputs {
       }
       double reply = heard == 0 ? -1 : reply(commands, replies, heard - 1);
       double gap = command.sent() - before;
-      boolean follows = heard > 0 && reply >= before;
+      boolean follows = heard > 0 && reply >= before && !ofApp(command.text());
       steps.add(
           new Step(
               command.text(),
@@ -164,7 +183,9 @@ final class PacedCommands implements Inputs {
       Program program = entry.getValue();
       if (program.next < program.steps.size() && program.due(now.seconds())) {
         Step step = program.steps.get(program.next);
-        program.sent.addLast(program.next);
+        if (!step.ofApp()) {
+          program.sent.addLast(program.next);
+        }
         program.next++;
         program.lastSent = now.seconds();
         lastActivity = now.seconds();
@@ -184,7 +205,7 @@ final class PacedCommands implements Inputs {
 
   @Override
   public void event(SimEvent event) {
-    if (event instanceof SimEvent.FromPeer about) {
+    if (event instanceof SimEvent.FromPeer about && !about.text().endsWith(WireText.APP_SUFFIX)) {
       Program program = programs.get(about.drone());
       if (about instanceof SimEvent.CommandReceived received) {
         // a link that duplicates datagrams can deliver a command that was not sent

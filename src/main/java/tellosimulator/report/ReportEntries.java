@@ -56,7 +56,7 @@ public final class ReportEntries {
 
   private ReportEntry of(RecordedCommand command) {
     boolean wrong = command.outcome().wrong();
-    String text = WireText.printable(command.text().stripTrailing());
+    String text = WireText.printable(command.words().stripTrailing());
     String why = wrong ? texts.say(command.reason()) : "";
     ReportEntry.Words words =
         new ReportEntry.Words(
@@ -94,8 +94,8 @@ public final class ReportEntries {
     }
     String text = entry.words().text();
     String textBefore = before.words().text();
-    boolean steering = text.startsWith("rc ") && textBefore.startsWith("rc ");
-    return steering || (text.endsWith("?") && textBefore.equals(text));
+    boolean steering = WireText.isSteering(text) && WireText.isSteering(textBefore);
+    return steering || (WireText.isRead(text) && textBefore.equals(text));
   }
 
   /** Returns the number of commands with a given outcome. */

@@ -17,8 +17,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.comparison.FlightComparison.Flight;
 import tellosimulator.comparison.FlownCommand.Motion;
 import tellosimulator.comparison.Tolerance.Aspect;
+import tellosimulator.json.Json;
 import tellosimulator.recording.RecordingFixture;
 import tellosimulator.recording.UnreadableRecordingException;
+import tellosimulator.testing.AppPackets;
 
 /** Compares recordings that contain only datagrams, like those of real drones. */
 class FlightComparisonTest {
@@ -213,5 +215,29 @@ class FlightComparisonTest {
     Flight flight = flight(wire);
 
     assertThat(flight.states()).hasSize(21);
+  }
+
+  private static Wire appFlight(String... more) {
+    Wire wire =
+        new Wire(0).command(escaped(AppPackets.TAKEOFF), 0.1, escaped(AppPackets.TAKEOFF_DONE));
+    for (String packet : more) {
+      wire.line("in", "command", wire.time, escaped(packet));
+    }
+    return wire.command(escaped(AppPackets.LAND), 0.1, escaped(AppPackets.LAND_DONE));
+  }
+
+  private static String escaped(String text) {
+    String json = Json.text(text);
+    return json.substring(1, json.length() - 1);
+  }
+
+  @Test
+  void packetsOfTheAppAreComparedInWordsAndSticksAreLeftOut() throws Exception {
+    FlightComparison comparison =
+        compare(appFlight(AppPackets.STICKS), appFlight(AppPackets.FLIP_BACK));
+
+    assertThat(comparison.pairs())
+        .extracting(pair -> pair.text() + " " + pair.differing())
+        .containsExactly("takeoff (app) []", "flip b (app) [MISSING]", "land (app) []");
   }
 }

@@ -10,12 +10,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.json.Json;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFixture;
 import tellosimulator.recording.UnreadableRecordingException;
+import tellosimulator.testing.AppPackets;
 
 /**
  * Reads the files back according to their format specifications; ExportToolsIT uses other tools.
@@ -94,6 +97,20 @@ class ExportFormatTest {
             new String(payload, StandardCharsets.ISO_8859_1));
     pcap.position(ip + kept);
     return text.strip();
+  }
+
+  @Test
+  void packetsOfTheAppHaveWords() throws Exception {
+    new RecordingFixture(folder)
+        .with(
+            "wire.jsonl",
+            Json.text(Map.of("t", 1, "drone", 1, "kind", "command", "text", AppPackets.TAKEOFF))
+                + "\n");
+    Path file = folder.resolve("app.mcap");
+    ExportFormat.MCAP.export(folder, RecordedFlight.readOutline(folder), file);
+
+    assertThat(Files.readString(file, StandardCharsets.ISO_8859_1))
+        .contains("\"words\": \"takeoff (app)\"");
   }
 
   @Test

@@ -6,6 +6,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
+import tellosimulator.testing.AppPackets;
 import tellosimulator.testing.SteppedDrone;
 
 /** Notifies the watch of the events of a simulated drone. */
@@ -42,6 +43,14 @@ class PaceWatchTest {
   void rcHasNoReplyToWaitFor() {
     drone.ask("command");
     drone.send("rc 0 10 0 0");
+
+    assertThat(impatient()).isTrue();
+  }
+
+  @Test
+  void theAppIsAnsweredBeforeItsOrdersAreCarriedOut() {
+    drone.send(AppPackets.CONNECT);
+    drone.send(AppPackets.TAKEOFF);
 
     assertThat(impatient()).isTrue();
   }

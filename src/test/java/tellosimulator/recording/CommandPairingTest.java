@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.json.Json;
 import tellosimulator.recording.RecordedCommand.Outcome;
+import tellosimulator.testing.AppPackets;
 
 /**
  * Events match replies to commands by a number; without them, as in recordings of a real drone's
@@ -228,5 +231,36 @@ class CommandPairingTest {
   private List<RecordedCommand> commands(String wire) throws UnreadableRecordingException {
     new RecordingFixture(folder).run("{\"format\":1,\"ended\":9}").with("wire.jsonl", wire);
     return RecordedFlight.read(folder).commands();
+  }
+
+  @Test
+  void packetsOfTheAppAreMatchedByTheirNumbers() throws Exception {
+    List<RecordedCommand> commands =
+        commands(
+            line("command", AppPackets.CONNECT)
+                + line("command", AppPackets.TAKEOFF)
+                + line("command", "battery?")
+                + line("command", AppPackets.LAND)
+                + line("command", AppPackets.STICKS)
+                + line("command", AppPackets.KEY_PICTURE)
+                + line("reply", AppPackets.LAND_DONE)
+                + line("reply", AppPackets.FLIGHT_DATA)
+                + line("reply", "87\r\n")
+                + line("reply", AppPackets.TAKEOFF_REFUSED)
+                + line("reply", AppPackets.ACKNOWLEDGEMENT));
+
+    assertThat(commands)
+        .extracting(each -> each.words() + " " + each.outcome() + " " + each.reply())
+        .containsExactly(
+            "conn_req (app) ANSWERED conn_ack",
+            "takeoff (app) REFUSED error",
+            "battery? ANSWERED 87",
+            "land (app) ANSWERED ok",
+            "rc 0 50 0 -100 (app) UNANSWERED ");
+    assertThat(commands.get(1).text()).as("as sent").isEqualTo(AppPackets.TAKEOFF);
+  }
+
+  private static String line(String kind, String text) {
+    return Json.text(Map.of("t", 1, "drone", 1, "kind", kind, "text", text)) + "\n";
   }
 }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.network.WireTap.Kind;
+import tellosimulator.testing.AppPackets;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.time.WallTime;
 import tellosimulator.video.codec.AccessUnit;
@@ -212,5 +213,73 @@ class DroneRecorderTest {
     RecordingFiles files = RecordingFiles.only(folder);
     assertThat(files.has("video-1.mp4")).isTrue();
     assertThat((List<?>) files.run().get("videos")).hasSize(1);
+  }
+
+  @Test
+  void aFlightWithTheAppGoesOnForTenSecondsAfterTheAnswerToItsLanding() throws Exception {
+    command(0, AppPackets.CONNECT);
+    reply(0.1, AppPackets.ACKNOWLEDGEMENT);
+    command(1, AppPackets.TAKEOFF);
+    reply(1.1, AppPackets.TAKEOFF_DONE);
+    command(5, AppPackets.LAND);
+    reply(5.1, AppPackets.LAND_DONE);
+    command(6, AppPackets.STOP_LANDING);
+    command(20, AppPackets.LAND);
+    reply(20.1, AppPackets.LAND_DONE);
+    recorder.tick(nanos(33));
+    recorder.tick(nanos(33.2)); // 20.1 + 10 + 3
+    command(34, "battery?");
+
+    assertThat(recorded())
+        .containsExactly(
+            List.of(
+                AppPackets.CONNECT,
+                AppPackets.TAKEOFF,
+                AppPackets.LAND,
+                AppPackets.STOP_LANDING,
+                AppPackets.LAND));
+  }
+
+  @Test
+  void aTakeoffThatTheAppIsRefusedIsARecordingOfItsOwn() throws Exception {
+    command(1, AppPackets.TAKEOFF);
+    reply(1.1, AppPackets.TAKEOFF_REFUSED);
+    recorder.tick(nanos(4.2));
+    command(5, "command");
+
+    assertThat(recorded()).containsExactly(List.of(AppPackets.TAKEOFF));
+  }
+
+  /** The app's datagrams have two bytes in front, the second of which marks the last of a unit. */
+  @Test
+  void theFilmOfTheAppIsPutTogetherToo() throws Exception {
+    command(0, AppPackets.TAKEOFF);
+    H264Encoder encoder = new H264Encoder(64, 48);
+    int number = 0;
+    for (int i = 0; i < 5; i++) {
+      AccessUnit encoded = encoder.encode(new Picture(64, 48), i == 1);
+      for (int unit = 0; unit < encoded.nalUnits(); unit++) {
+        byte[] nal =
+            java.util.Arrays.copyOfRange(
+                encoded.bytes(), encoded.start(unit), encoded.start(unit + 1));
+        int half = Math.max(5, nal.length / 2); // behind the start code
+        film(1 + i / 30.0, number, 0, nal, 0, half);
+        film(1 + i / 30.0, number, 0x81, nal, half, nal.length);
+        number++;
+      }
+    }
+    recorder.close();
+
+    RecordingFiles files = RecordingFiles.only(folder);
+    assertThat(files.has("video-1.mp4")).isTrue();
+    assertThat((List<?>) files.run().get("videos")).hasSize(1);
+  }
+
+  private void film(double second, int number, int index, byte[] nal, int from, int to) {
+    byte[] datagram = new byte[2 + to - from];
+    datagram[0] = (byte) number;
+    datagram[1] = (byte) index;
+    System.arraycopy(nal, from, datagram, 2, to - from);
+    recorder.sent(nanos(second), Kind.VIDEO, DRONE, CLIENT, datagram);
   }
 }

@@ -44,6 +44,7 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimInput;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.testing.AppPackets;
 import tellosimulator.testing.CapturedLog;
 import tellosimulator.testing.SimulatedDrones;
 import tellosimulator.testing.SteppedDrone;
@@ -480,5 +481,36 @@ class FlightRecorderTest {
     RecordingFiles flight = RecordingFiles.only(parent);
     assertThat(flight.run()).containsKey("ended");
     assertThat(flight.events("landed")).isEmpty();
+  }
+
+  @Test
+  void packetsOfTheAppAreRecordedWithTheirWordsAndTheirSticks() throws Exception {
+    begin(SimConfig.DEFAULT);
+    drones.fly(AppPackets.CONNECT, AppPackets.TAKEOFF);
+    drones.advance(3);
+    receive(AppPackets.STICKS);
+    recorder.sent(1, Kind.STATE, DRONE, CLIENT, WireText.encode(AppPackets.FLIGHT_DATA));
+    drones.send(1, AppPackets.STICKS);
+    drones.advance(0.2);
+    recorder.close();
+
+    RecordingFiles files = RecordingFiles.only(parent);
+    assertThat(files.wire("command"))
+        .singleElement()
+        .satisfies(
+            datagram ->
+                assertThat(datagram)
+                    .contains(
+                        entry("text", AppPackets.STICKS), entry("words", "rc 0 50 0 -100 (app)")));
+    assertThat(files.wire("state"))
+        .singleElement()
+        .extracting("words")
+        .isEqualTo("flight data (app)");
+    List<List<String>> rows = files.rows();
+    assertThat(rows.get(rows.size() - 1).subList(13, 17)).containsExactly("0", "50", "0", "-100");
+    assertThat(RecordedFlight.read(files.folder()).commands())
+        .extracting(each -> each.words() + " " + each.outcome())
+        .containsExactly(
+            "conn_req (app) ANSWERED", "takeoff (app) ANSWERED", "rc 0 50 0 -100 (app) UNANSWERED");
   }
 }

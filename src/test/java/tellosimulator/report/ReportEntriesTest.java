@@ -68,6 +68,9 @@ class ReportEntriesTest {
           go 1 2 3 4       | fly by x 1, y 2, z 3 cm at 4 cm/s
           go 1 2 3 4 m5    | fly to x 1, y 2, z 3 cm from pad m5 at 4 cm/s
           battery?         | how full is the battery?
+          flip b (app)     | flip (b)
+          height limit 10 (app) | climb no higher than 10 m
+          throw and go (app) | take off from a throw
           forward          | ''
           nonsense 4       | ''
           go               | ''
@@ -79,5 +82,29 @@ class ReportEntriesTest {
   private List<ReportEntry> entries(String events) throws Exception {
     new RecordingFixture(folder).run("{\"format\":1,\"ended\":9}").with("events.jsonl", events);
     return new ReportEntries(ENGLISH).of(RecordedFlight.read(folder));
+  }
+
+  @Test
+  void packetsOfTheAppAreEntriesAsTextsAre() throws Exception {
+    List<ReportEntry> entries =
+        entries(
+            """
+            {"t":1,"drone":1,"kind":"command","command":"takeoff (app)","number":1}
+            {"t":1,"drone":1,"kind":"reply","command":"takeoff (app)","number":1,"reply":"ok"}
+            {"t":2,"drone":1,"kind":"command","command":"rc 0 5 0 0 (app)","number":2}
+            {"t":2.1,"drone":1,"kind":"command","command":"rc 0 9 0 0 (app)","number":3}
+            {"t":3,"drone":1,"kind":"command","command":"ssid? (app)","number":4}
+            {"t":3.1,"drone":1,"kind":"command","command":"ssid? (app)","number":5}
+            """);
+
+    assertThat(entries)
+        .extracting(each -> each.words().text() + " " + each.words().count())
+        .containsExactly("takeoff (app) 1", "rc 0 5 0 0 (app) 2", "ssid? (app) 2");
+    assertThat(entries)
+        .extracting(each -> each.words().why())
+        .containsExactly(
+            "take off",
+            "steer: right 0, forward 5, up 0, turn 0",
+            "what is the name of its Wi-Fi?");
   }
 }

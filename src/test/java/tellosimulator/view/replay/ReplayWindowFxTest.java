@@ -145,7 +145,7 @@ class ReplayWindowFxTest {
     assertThat(droneCamera()).as("from the same camera").isEqualTo(usual);
     close();
 
-    open(new DroneOptics(DroneOptics.DEFAULT.fieldOfView(), Math.toRadians(90)));
+    open(new DroneOptics(DroneOptics.DEFAULT.fieldOfView(), Math.toRadians(90), 640));
 
     assertThat(droneCamera()).as("straight down").isNotEqualTo(usual);
   }
