@@ -9,6 +9,7 @@ import java.nio.channels.Selector;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import org.slf4j.Logger;
@@ -23,15 +24,18 @@ import tellosimulator.network.PortTakenException;
 import tellosimulator.network.Reach;
 import tellosimulator.network.UdpPort;
 import tellosimulator.network.WireTap.Kind;
+import tellosimulator.protocol.app.NamedPacket;
+import tellosimulator.protocol.app.VideoPort;
 import tellosimulator.recording.DroneRecorder;
 import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.time.WallTime;
 
 /**
  * Forwards datagrams between operators and a drone. Each datagram is forwarded immediately and
- * unchanged, and then passed to the recorder. Neither an unexpected datagram nor a lack of
- * datagrams can stop the relay. Not thread-safe, except for {@link #addresses}, {@link
- * #streamPorts} and {@link #end}.
+ * unchanged, and then passed to the recorder; only the port for the video in {@code conn_req} is
+ * replaced by the relay's own, so that the video passes through the relay. Neither an unexpected
+ * datagram nor a lack of datagrams can stop the relay. Not thread-safe, except for {@link
+ * #addresses}, {@link #streamPorts} and {@link #end}.
  */
 final class Relay implements Agent {
 
@@ -56,8 +60,14 @@ final class Relay implements Agent {
   private LocalNetworks networks;
   private long looked = WallTime.nanoTime();
 
-  /** The peer that sent {@code command} last. State and video are forwarded to this peer. */
+  /**
+   * The peer that sent {@code command} or {@code conn_req} last. State and video are forwarded to
+   * this peer.
+   */
   private Optional<Peer> operator = Optional.empty();
+
+  /** The port for which the operator's {@code conn_req} wants the video; empty after a command. */
+  private OptionalInt videoPort = OptionalInt.empty();
 
   private Optional<IOException> failure = Optional.empty();
   private boolean foreignTold;
@@ -207,9 +217,13 @@ final class Relay implements Agent {
     if (open.isEmpty()) {
       return;
     }
-    open.get().send(bytes, plan.drone());
-    if (isCommand(bytes)) {
+    OptionalInt asked = VideoPort.of(bytes);
+    int own = streamPorts().videoPort();
+    boolean redirects = asked.isPresent() && own != 0;
+    open.get().send(redirects ? VideoPort.replaced(bytes, own) : bytes, plan.drone());
+    if (asked.isPresent() || isCommand(bytes)) {
       operator = Optional.of(peer);
+      videoPort = asked;
     }
     watch.commanded(nanos);
     recorder.command(nanos, sender, plan.drone(), bytes);
@@ -242,8 +256,12 @@ final class Relay implements Agent {
   private void reply(
       UdpPort port, InetSocketAddress asked, InetSocketAddress sender, byte[] bytes, long nanos) {
     if (isDrone(sender)) {
-      port.send(bytes, asked);
-      recorder.sent(nanos, Kind.REPLY, sender, asked, bytes);
+      boolean acknowledges = VideoPort.of(bytes).isPresent() && videoPort.isPresent();
+      byte[] passed = acknowledges ? VideoPort.replaced(bytes, videoPort.getAsInt()) : bytes;
+      port.send(passed, asked);
+      boolean unasked =
+          NamedPacket.of(bytes).filter(packet -> packet.reply().isEmpty()).isPresent();
+      recorder.sent(nanos, unasked ? Kind.STATE : Kind.REPLY, sender, asked, passed);
     }
   }
 
@@ -255,7 +273,7 @@ final class Relay implements Agent {
     int number =
         kind == Kind.STATE
             ? plan.towardsOperator().statePort()
-            : plan.towardsOperator().videoPort();
+            : videoPort.orElse(plan.towardsOperator().videoPort());
     InetSocketAddress place = new InetSocketAddress(to.address().getAddress(), number);
     listening.stream()
         .filter(port -> port.address().equals(to.via()))

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Random;
@@ -27,6 +28,7 @@ import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFiles;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.sim.SimConfig.StreamPorts;
+import tellosimulator.testing.AppPackets;
 import tellosimulator.testing.CapturedLog;
 
 @Timeout(value = 120, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
@@ -299,5 +301,38 @@ class DroneProxyTest {
         .satisfies(line -> assertThat(line.get("size")).isEqualTo(8L));
     assertThat(files.has("flight.csv")).isTrue();
     assertThat(files.has("events.jsonl")).isFalse();
+  }
+
+  @Test
+  void aSessionOfTheAppPassesWithItsVideo() throws Exception {
+    int asked = pictures.port();
+    operator.send(connection("conn_req:", asked), here());
+    byte[] request = drone.receiveBytes();
+    assertThat(request).isEqualTo(connection("conn_req:", videoInlet().getPort()));
+    drone.send(connection("conn_ack:", videoInlet().getPort()), drone.sender());
+    assertThat(operator.receiveBytes()).isEqualTo(connection("conn_ack:", asked));
+
+    exchange(operator, AppPackets.TAKEOFF, AppPackets.TAKEOFF_DONE);
+    drone.send(AppPackets.FLIGHT_DATA, drone.sender());
+    assertThat(operator.receive()).isEqualTo(AppPackets.FLIGHT_DATA);
+    drone.send(new byte[] {7, (byte) 0x80, 0, 0, 0, 1, 9}, videoInlet());
+    assertThat(pictures.receiveBytes()).startsWith(7, 0x80, 0, 0, 0, 1, 9);
+    proxy.close();
+
+    RecordingFiles files = RecordingFiles.only(folder);
+    assertThat(files.objects("wire.jsonl"))
+        .filteredOn(line -> !line.get("kind").equals("video"))
+        .extracting(line -> line.get("kind") + " " + line.get("words"))
+        .containsExactly(
+            "command conn_req (app)",
+            "reply conn_ack (app)",
+            "command takeoff (app)",
+            "reply takeoff (app)",
+            "state flight data (app)");
+  }
+
+  private static byte[] connection(String words, int port) {
+    return (words + (char) (port & 0xff) + (char) (port >> 8))
+        .getBytes(StandardCharsets.ISO_8859_1);
   }
 }
