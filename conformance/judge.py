@@ -71,7 +71,7 @@ class Judge:
         unit = DIRECTIONS[free["direction"]]
         along = sum(a * b for a, b in zip(way, unit))
         aside = max(abs(a - along * b) for a, b in zip(way, unit))
-        if free["least"] <= along <= free["most"] and aside <= TOLERANCE_CM:
+        if free["least"] <= along <= free["most"] and aside <= free.get("aside", TOLERANCE_CM):
             return pose, []
         wanted = "{least} to {most} cm {direction}".format(**free)
         return pose, [f"expected it {wanted}, not {along:.1f} cm and {aside:.1f} cm aside"]

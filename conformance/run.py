@@ -69,6 +69,7 @@ class Client:
         persistent=(),
         real_address=False,
         given_address=False,
+        shimmed=True,
     ):
         self.start, self.probe, self.install = start, probe, install
         self.room, self.time_factor, self.fewest_steps = room, time_factor, fewest_steps
@@ -76,10 +77,13 @@ class Client:
         self.persistent = persistent
         self.real_address = real_address or drones > 1
         self.given_address = given_address
+        self.shimmed = shimmed
 
     def flies(self, chosen):
         """Whether it can reach its drones: some accept no other address, and a proxy serves one."""
         if chosen.proxy and self.drones > 1:
+            return False
+        if chosen.shim and not self.shimmed:
             return False
         if chosen.private_network or chosen.shim:
             return not self.given_address
@@ -95,6 +99,8 @@ class Client:
 
 PIP = "pip install -r conformance/requirements.txt"
 NPM = "npm install --prefix conformance"
+GO = "cd conformance/go && go build ./..."
+OLD_TELLOPY = "import importlib.metadata as m; assert m.version('tellopy') == '0.6.0'"
 
 CLIENTS = {
     "djitellopy": Client(
@@ -144,6 +150,52 @@ CLIENTS = {
         PIP,
         time_factor="1",
         fewest_steps=10,
+    ),
+    "tellopy": Client(
+        [python(), "fly_tellopy.py"],
+        ["-c", "import av, PIL, tellopy"],
+        PIP,
+        time_factor="1",
+    ),
+    "tellopy-0.6": Client(
+        ["env", f"PYTHONPATH={HERE / 'tellopy-0.6'}", python(), "fly_tellopy.py"],
+        [f"PYTHONPATH={HERE / 'tellopy-0.6'}", python(), "-c", OLD_TELLOPY],
+        "pip install --no-deps --target conformance/tellopy-0.6 tellopy==0.6.0",
+        time_factor="1",
+        fewest_steps=14,
+    ),
+    "like-ctello": Client(
+        [python(), "fly_like_ctello.py"],
+        ["-c", ""],
+        PIP,
+        time_factor="1",
+        fewest_steps=11,
+    ),
+    "gobot": Client(
+        ["go", "run", "-C", "go", "./gobot"],
+        ["build", "-C", "go", "-o", os.devnull, "./gobot"],
+        GO,
+        time_factor="1",
+        fewest_steps=10,
+        real_address=True,
+        shimmed=False,
+    ),
+    "smerrony": Client(
+        ["go", "run", "-C", "go", "./smerrony"],
+        ["build", "-C", "go", "-o", os.devnull, "./smerrony"],
+        GO,
+        # its autopilot expects a real drone's sticks
+        room=[*HALL, "--behaviour", "measured", "--link", "ideal"],
+        time_factor="1",
+        shimmed=False,
+    ),
+    "rust-tello": Client(
+        ["cargo", "run", "--quiet", "--manifest-path", "rust/Cargo.toml", "--"],
+        ["build", "--quiet", "--manifest-path", "rust/Cargo.toml"],
+        "cd conformance/rust && cargo build",
+        time_factor="1",
+        fewest_steps=11,
+        shimmed=False,
     ),
     "tello-drone": Client(
         ["node", "fly_tello_drone.js"],
@@ -248,8 +300,8 @@ def carried_out(text, log):
     return f"`{text}` answered `ok`" in log
 
 
-def fly(name, chosen):
-    """Whether all went well."""
+def fly(name, chosen, table):
+    """Whether all went well; adds a row to the table."""
     place = "private network" if chosen.private_network else "loopback"
     if chosen.shim:
         place = "loopback and a shim"
@@ -288,6 +340,8 @@ def fly(name, chosen):
             faults.append(f"fewer than {client.fewest_steps} steps")
         seconds = time.monotonic() - started
         end = f"{judge.steps} steps, at most {judge.worst_cm:.1f} cm off, {seconds:.1f} s"
+        verdict = "FAILED" if faults else "passed"
+        table.append(f"| {name} | {place} | {verdict} | {end} |")
         if not faults:
             print(f"{name} over {place}: passed, {end}\n", flush=True)
             return True
@@ -394,7 +448,10 @@ def main():
         network.loopback_up()
     else:
         enter_network(chosen)
-    flights = [fly(name, chosen) for name in chosen.clients if not chosen.fault]
+    table = ["| client | place | verdict | |", "|---|---|---|---|"]
+    flights = [fly(name, chosen, table) for name in chosen.clients if not chosen.fault]
+    if flights:
+        print(*table, sep="\n", flush=True)
     flights += [persist(name, fault, chosen) for name in chosen.clients for fault in chosen.fault]
     return 0 if all(flights) else FAILED
 

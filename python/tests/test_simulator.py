@@ -69,6 +69,18 @@ def test_a_command_without_reply_has_none(reset: Simulator) -> None:
     assert entry.replies == ()
 
 
+def test_packets_of_the_app_are_named_in_words(reset: Simulator) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as operator:
+        operator.settimeout(10)
+        operator.sendto(b"conn_req:\x96\x17", reset.drone.address)
+        assert operator.recv(1024) == b"conn_ack:\x96\x17"
+        operator.sendto(bytes.fromhex("cc58007c68540001006a90"), reset.drone.address)
+        takeoff = reset.drone.await_command("takeoff")
+
+    assert (takeoff.text, takeoff.reply) == ("takeoff (app)", "ok")
+    assert reset.drone.commands() == ["conn_req (app)", "takeoff (app)"]
+
+
 def test_drones_are_apart(reset: Simulator) -> None:
     first, second = reset.drones
 

@@ -18,14 +18,22 @@ class PrivateNetworkIT {
         "djitellopy-swarm",
         "djitellopy-video",
         "easytello",
+        "like-ctello",
         "ros-driver",
         "tello-asyncio",
         "tello-drone",
-        "tellojs"
+        "tellojs",
+        "tellopy"
       })
   void unchangedClientFliesWhereItsCommandsLead(String client)
       throws IOException, InterruptedException {
     ClientFlight.fly("--private-network", client);
+  }
+
+  @Test
+  @NeedsTool(Tool.GO)
+  void unchangedClientInGoFlies() throws IOException, InterruptedException {
+    ClientFlight.fly("--private-network", "gobot");
   }
 
   @Test
