@@ -57,6 +57,7 @@ public final class Benchmarks {
   private static Map<String, Part> parts() {
     Map<String, Part> parts = new LinkedHashMap<>();
     parts.put("speed", minutes -> SpeedBenchmark.all());
+    parts.put("sticks", minutes -> SticksBenchmark.all());
     parts.put("scenario", minutes -> ScenarioBenchmark.all());
     parts.put("wire", minutes -> wire());
     parts.put("video", minutes -> VideoBenchmark.all());
