@@ -24,13 +24,20 @@ class StickResponseTest {
   /** Duration of a recorded response [s]. */
   private static final double LOOK = 1;
 
+  /** Mean time of a reading on its way to the program [s]. */
+  private static final double LINK = 0.025;
+
+  /**
+   * The published times, 91 to 108 ms to half of the rate, include the way of the reading to the
+   * program; {@code conformance/response_lag.py} measures them with it.
+   */
   @ParameterizedTest
   @ValueSource(strings = {"rc 0 0 0 100", "rc 0 0 0 -60"})
   void theTurningRateFollowsAsMeasured(String rc) {
     List<Double> rates = response(rc, motion -> Math.abs(motion.rate().z()));
 
-    assertThat(reached(rates, 0.1)).as("10 %").isBetween(0.060, 0.080);
-    assertThat(reached(rates, 0.5)).as("50 %").isBetween(0.091, 0.135);
+    assertThat(reached(rates, 0.1)).as("10 %").isBetween(0.020, 0.052);
+    assertThat(reached(rates, 0.5)).as("50 %").isBetween(0.091 - LINK, 0.108 - LINK);
   }
 
   @ParameterizedTest
