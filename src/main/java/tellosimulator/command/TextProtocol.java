@@ -1,16 +1,7 @@
 package tellosimulator.command;
 
-import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
-
 /** The text protocol of the SDK: commands, replies, and state lines. */
 public final class TextProtocol implements DroneProtocol {
-
-  /** First byte of the app's binary protocol. Measured: TelloPy 50. */
-  private static final byte APP_PACKET = (byte) 0xcc;
-
-  /** The app's connection request. Measured: TelloPy 50. */
-  private static final byte[] APP_REQUEST = "conn_req".getBytes(StandardCharsets.ISO_8859_1);
 
   private final ProtocolContext drone;
   private final CommandHandler handler;
@@ -25,11 +16,10 @@ public final class TextProtocol implements DroneProtocol {
     handler = new CommandHandler(drone.profile(), drone.behavior(), commands, ends);
   }
 
+  /** Claims everything, because any bytes are a text. The drone's other protocols come first. */
   @Override
   public boolean claims(byte[] datagram) {
-    boolean packet = datagram.length > 0 && datagram[0] == APP_PACKET;
-    int start = Arrays.mismatch(datagram, APP_REQUEST);
-    return !packet && start >= 0 && start < APP_REQUEST.length;
+    return true;
   }
 
   @Override

@@ -23,13 +23,15 @@ final class DroneProtocols {
   private final ProtocolContext drone;
   private final OperatorSession session;
 
-  /** All protocols of the drone. A datagram goes to the first one that claims it. */
+  /**
+   * All protocols of the drone. A datagram goes to the first one that claims it; texts are last.
+   */
   private final List<DroneProtocol> protocols;
 
   DroneProtocols(ProtocolContext drone) {
     this.drone = drone;
     session = drone.session();
-    protocols = List.of(new TextProtocol(drone), new AppProtocol(drone));
+    protocols = List.of(new AppProtocol(drone), new TextProtocol(drone));
   }
 
   /** Handles a datagram that has arrived at the drone. Called only while the drone is on. */

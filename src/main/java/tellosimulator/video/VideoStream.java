@@ -2,14 +2,7 @@ package tellosimulator.video;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.Queue;
-import java.util.concurrent.CancellationException;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import org.slf4j.Logger;
@@ -62,9 +55,6 @@ public final class VideoStream implements AutoCloseable {
   /** Interval between pictures for watchers while the stream is not sent [ns]. Decided. */
   private static final long PREVIEW_PERIOD = 100_000_000;
 
-  /** Maximum time to wait for a photo [s]. Decided: much longer than rendering one takes. */
-  private static final int PHOTO_PATIENCE_S = 10;
-
   private final int drone;
   private final Supplier<SimSnapshot> snapshots;
   private final Supplier<FramePipeline> films;
@@ -75,8 +65,7 @@ public final class VideoStream implements AutoCloseable {
   private final VideoMeter meter = new VideoMeter();
   private final List<VideoWatcher> watchers = new CopyOnWriteArrayList<>();
 
-  /** Photos to be taken. */
-  private final Queue<FutureTask<byte[]>> photos = new ConcurrentLinkedQueue<>();
+  private final PhotoQueue photos;
 
   private final Worker worker;
   private volatile boolean starved;
@@ -156,6 +145,7 @@ public final class VideoStream implements AutoCloseable {
     this.snapshots = snapshots;
     this.films = films;
     this.faults = new VideoFaults(drone);
+    this.photos = new PhotoQueue(drone);
     UnaryOperator<DatagramPort> tapped = port -> new TappedPort(drone, port, taps);
     this.connection = new VideoConnection(ticker, reachability::unreachable, faults, tapped);
     this.worker = Worker.start("video-" + drone, new Filming());
@@ -248,7 +238,7 @@ public final class VideoStream implements AutoCloseable {
 
     @Override
     public void onClose() {
-      photos.forEach(photo -> photo.cancel(false));
+      photos.close();
       connection.close();
     }
   }
@@ -260,33 +250,13 @@ public final class VideoStream implements AutoCloseable {
    * @return waits for the photo, and supplies it as a JPEG file; empty if it failed
    */
   Supplier<byte[]> photo(SimSnapshot snapshot, float quality) {
-    FutureTask<byte[]> task = new FutureTask<>(() -> film().photo(snapshot, quality));
-    photos.add(task);
+    Supplier<byte[]> photo = photos.add(() -> film().photo(snapshot, quality));
     wake();
-    return () -> awaited(task);
-  }
-
-  private byte[] awaited(FutureTask<byte[]> task) {
-    try {
-      return task.get(PHOTO_PATIENCE_S, TimeUnit.SECONDS);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    } catch (ExecutionException e) {
-      LOG.error("The photo of drone {} failed: {}", drone, e.getCause().toString());
-    } catch (TimeoutException | CancellationException e) {
-      LOG.error("The photo of drone {} was not taken: {}", drone, e.toString());
-    }
-    return new byte[0];
-  }
-
-  private void takePhotos() {
-    for (FutureTask<byte[]> task = photos.poll(); task != null; task = photos.poll()) {
-      task.run();
-    }
+    return photo;
   }
 
   private boolean turn() {
-    takePhotos();
+    photos.takeAll();
     forgetIfRestarted();
     DroneSnapshot now = drone(snapshots.get());
     StreamDemand wish = wish(now);

@@ -55,7 +55,7 @@ class PhotoTest {
           throw new OutOfMemoryError("as a test wants it");
         };
 
-    try (CapturedLog log = CapturedLog.of(VideoStream.class)) {
+    try (CapturedLog log = CapturedLog.of(PhotoQueue.class)) {
       assertThat(photo(() -> broken)).isEmpty();
       assertThat(log.next())
           .isEqualTo("The photo of drone 1 failed: java.lang.OutOfMemoryError: as a test wants it");

@@ -3,12 +3,12 @@ package tellosimulator.protocol.app;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -19,6 +19,7 @@ import tellosimulator.command.LinkDatagram;
 import tellosimulator.command.OperatorSession;
 import tellosimulator.command.Peer;
 import tellosimulator.command.ProtocolContext;
+import tellosimulator.command.WireText;
 import tellosimulator.controller.DroneController;
 import tellosimulator.controller.FlightEvent.Note;
 import tellosimulator.controller.RefusalKind;
@@ -35,11 +36,6 @@ import tellosimulator.words.Phrase;
  * the drone. {@code command} ends the connection.
  */
 public final class AppProtocol implements DroneProtocol {
-
-  /** A request to connect. Two bytes with the port for the video follow. Measured: all clients. */
-  private static final byte[] REQUEST = "conn_req:".getBytes(StandardCharsets.US_ASCII);
-
-  private static final byte[] ACKNOWLEDGEMENT = "conn_ack:".getBytes(StandardCharsets.US_ASCII);
 
   /** Bit rates [Mbit/s] by the number in a packet; 0 is automatic. 1.5 counts as 2. */
   private static final int[] BIT_RATES = {0, 1, 2, 2, 3, 4};
@@ -171,8 +167,7 @@ public final class AppProtocol implements DroneProtocol {
   }
 
   private static boolean isRequest(byte[] datagram) {
-    int difference = Arrays.mismatch(datagram, REQUEST);
-    return difference < 0 || difference >= REQUEST.length;
+    return WireText.decode(datagram).startsWith(NamedPacket.REQUEST);
   }
 
   @Override
@@ -222,13 +217,17 @@ public final class AppProtocol implements DroneProtocol {
   }
 
   private void connect(Peer peer, byte[] request) {
-    if (request.length != REQUEST.length + 2) {
+    OptionalInt port = VideoPort.of(request);
+    if (port.isEmpty()) {
+      Phrase reason = Phrase.of("after `conn_req:`, there must be two bytes with the video port");
+      drone.observer().ignored(peer, NamedPacket.CONNECTION, reason);
       return;
     }
+    connect(peer, port.getAsInt());
+  }
+
+  private void connect(Peer peer, int port) {
     boolean again = session.link().app() && session.admits(peer);
-    int port =
-        Short.toUnsignedInt(
-            ByteBuffer.wrap(request).order(ByteOrder.LITTLE_ENDIAN).getShort(REQUEST.length));
     boolean standing = !controller.airborne();
     if (!session.openForApp(peer, now(), standing, port, new AppPacketizer())) {
       drone.observer().ignored(peer, NamedPacket.CONNECTION, refusal(peer));
@@ -242,11 +241,9 @@ public final class AppProtocol implements DroneProtocol {
     }
     link = Optional.of(new AppLink(drone));
     controller.linkAlive();
-    byte[] answer = Arrays.copyOf(ACKNOWLEDGEMENT, request.length);
-    System.arraycopy(request, REQUEST.length, answer, REQUEST.length, 2);
     if (drone.faults().get().find(FaultKind.CONN_ACK_LOST).isEmpty()) {
       orders.connected(peer);
-      drone.port().send(LinkDatagram.reply(peer, answer));
+      drone.port().send(LinkDatagram.reply(peer, VideoPort.acknowledgement(port)));
     }
   }
 

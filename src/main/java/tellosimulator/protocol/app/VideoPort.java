@@ -31,6 +31,11 @@ public final class VideoPort {
     return copy;
   }
 
+  /** Returns the acknowledgement of a request with a port. */
+  static byte[] acknowledgement(int port) {
+    return replaced(WireText.encode(NamedPacket.ACKNOWLEDGEMENT + "\0\0"), port);
+  }
+
   private static ByteBuffer littleEndian(byte[] bytes) {
     return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
   }

@@ -131,6 +131,17 @@ class AppProtocolTest {
     assertThat(drone.state().video().on()).isFalse();
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"conn_req:", "conn_req:x", "conn_req:123"})
+  void aRequestWithoutAPortIsIgnoredAndSaidSo(String request) {
+    int replies = drone.replies().size();
+    drone.send(request);
+
+    assertThat(drone.replies()).hasSize(replies);
+    assertThat(drone.events())
+        .anyMatch(event -> event.line().contains("there must be two bytes with the video port"));
+  }
+
   @Test
   void packetsBeforeAConnectionHaveNoEffect() {
     SteppedDrone fresh = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
