@@ -4,6 +4,8 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.charset.Charset;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -270,6 +272,10 @@ public final class Main {
       atEnd(() -> end(simulator, reports));
       if (options.control().isPresent()) {
         simulator.openControl(options.control().get(), out);
+      }
+      if (options.web().isPresent()) {
+        simulator.openWeb(
+            new InetSocketAddress(InetAddress.getLoopbackAddress(), options.web().get()), out);
       }
       simulator.sayReady(out);
       int status = run(simulator);

@@ -122,6 +122,16 @@ public final class Options {
                   + " a free port. A line that begins with control says where, and the token.")
           .readIfGiven(OptionTypes::portOrFree);
 
+  private final OptionValue<Optional<Integer>> web =
+      optionList
+          .option(
+              "--web",
+              "PORT",
+              "With --headless: show the room, the film and the goals in a browser; 0 chooses a free"
+                  + " port. A line that begins with web has the link. With --lan, also for other"
+                  + " machines of the network.")
+          .readIfGiven(OptionTypes::portOrFree);
+
   private final OptionValue<Long> seed =
       optionList
           .option(
@@ -223,6 +233,11 @@ public final class Options {
 
   public boolean listScenarios() {
     return scenarioOptions.list.value();
+  }
+
+  /** The port of the page for browsers; 0 lets the system choose. Empty if there is no page. */
+  public Optional<Integer> web() {
+    return web.value();
   }
 
   public boolean exitWhenDone() {

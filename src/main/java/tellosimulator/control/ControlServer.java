@@ -12,7 +12,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
-import tellosimulator.junit.TelloSimulator;
 import tellosimulator.network.PortTakenException;
 
 /**
@@ -51,8 +50,8 @@ public final class ControlServer implements AutoCloseable {
    * @param port the port; 0 lets the system choose
    * @throws PortTakenException if the port cannot be opened
    */
-  public ControlServer(TelloSimulator simulator, int port) throws PortTakenException {
-    requests = new Requests(simulator);
+  public ControlServer(Requests requests, int port) throws PortTakenException {
+    this.requests = requests;
     byte[] secret = new byte[TOKEN_BYTES];
     new SecureRandom().nextBytes(secret);
     token = HexFormat.of().formatHex(secret);

@@ -2,6 +2,7 @@ package tellosimulator.headless;
 
 import java.io.BufferedReader;
 import java.io.PrintStream;
+import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -10,6 +11,7 @@ import org.slf4j.LoggerFactory;
 import org.slf4j.event.Level;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.control.ControlServer;
+import tellosimulator.control.Requests;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Score;
@@ -31,6 +33,9 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStreams;
 import tellosimulator.video.codec.H264Encoder;
+import tellosimulator.web.Viewers;
+import tellosimulator.web.WebServer;
+import tellosimulator.web.WebSubject;
 
 /**
  * The simulator without a window. It switches all drones on, prints a line when it is ready, and
@@ -51,7 +56,9 @@ public final class HeadlessSimulator implements AutoCloseable {
   private final PaceWatch pace;
   private final OnlineSimulation simulation;
   private final VideoStreams video;
+  private final SoftwareCameras cameras;
   private volatile Optional<ControlServer> control = Optional.empty();
+  private volatile Optional<WebServer> web = Optional.empty();
   private volatile Optional<FlightRecorder> recorder = Optional.empty();
 
   /**
@@ -64,6 +71,7 @@ public final class HeadlessSimulator implements AutoCloseable {
   public HeadlessSimulator(
       Scenario scenario, AddressPlan plan, OptionalInt replyPort, SoftwareCameras cameras) {
     this.scenario = scenario;
+    this.cameras = cameras;
     EventLog log = new EventLog();
     goals =
         new GoalWatch(
@@ -103,9 +111,28 @@ public final class HeadlessSimulator implements AutoCloseable {
    * @throws PortTakenException if the port cannot be opened
    */
   public void openControl(int port, PrintStream out) throws PortTakenException {
-    ControlServer server = new ControlServer(TelloSimulator.of(simulation, scenario, goals), port);
+    ControlServer server = new ControlServer(requests(), port);
     control = Optional.of(server);
     out.println(server.line());
+  }
+
+  /**
+   * Opens the page for browsers and prints its link. Must be called after {@link #switchOn} and
+   * before {@link #sayReady}.
+   *
+   * @param address the address; port 0 lets the system choose
+   * @throws PortTakenException if the port cannot be opened
+   */
+  public void openWeb(InetSocketAddress address, PrintStream out) throws PortTakenException {
+    WebSubject subject =
+        new WebSubject(simulation, scenario, goals, video, cameras.scenes(), requests());
+    WebServer server = new WebServer(new Viewers(subject), address);
+    web = Optional.of(server);
+    out.println(server.line());
+  }
+
+  private Requests requests() {
+    return new Requests(TelloSimulator.of(simulation, scenario, goals));
   }
 
   /**
@@ -251,6 +278,7 @@ public final class HeadlessSimulator implements AutoCloseable {
 
   @Override
   public void close() {
+    web.ifPresent(WebServer::close);
     control.ifPresent(ControlServer::close);
     video.close();
     simulation.close();
