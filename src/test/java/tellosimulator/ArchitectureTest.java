@@ -78,7 +78,7 @@ class ArchitectureTest {
           Map.entry("proxy", List.of("recording")),
           Map.entry("junit", List.of("report", "translation")),
           Map.entry("control", List.of("junit", "json")),
-          Map.entry("pilot", List.of()),
+          Map.entry("pilot", List.of("goal")),
           Map.entry("web", List.of("control", "pilot", "recording")),
           Map.entry("headless", List.of("control", "recording", "web")),
           Map.entry("comparison", List.of("recording")),

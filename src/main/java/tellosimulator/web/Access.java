@@ -2,33 +2,25 @@ package tellosimulator.web;
 
 import com.sun.net.httpserver.Headers;
 import com.sun.net.httpserver.HttpExchange;
-import java.net.InetAddress;
 import java.net.URI;
 import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.SecureRandom;
 import java.util.Arrays;
-import java.util.HexFormat;
+import java.util.List;
 import java.util.Optional;
-import java.util.Set;
+import tellosimulator.control.AccessToken;
 
 /**
- * Decides who may use the page. A request needs the token, either in its address or in a cookie. A
- * page of another site can make a browser send the cookie, so a cookie counts only if the request
- * names this server as its host and comes from its own page. Immutable.
+ * Decides who may use the pages. A request needs the token, either in its address or in a cookie.
+ * The page of another site can make a browser send the cookie, so a cookie counts only for reading,
+ * and only if the request names this server as its host. Immutable.
  */
 final class Access {
 
-  /** Length of the token [bytes]. Decided: 128 bits cannot be guessed. */
-  private static final int TOKEN_BYTES = 16;
+  /** Name of the parameter in the address. */
+  private static final String TOKEN = "token";
 
-  /** Name of the parameter in the address, and of the header of a request. */
-  static final String TOKEN = "token";
-
-  private static final String HEADER = "X-Token";
-
-  private final String token;
+  private final AccessToken token = AccessToken.create();
   private final String cookie;
 
   /**
@@ -37,63 +29,57 @@ final class Access {
    * @param port the server's port, because cookies of all servers of a host are shared
    */
   Access(int port) {
-    byte[] secret = new byte[TOKEN_BYTES];
-    new SecureRandom().nextBytes(secret);
-    token = HexFormat.of().formatHex(secret);
     cookie = "tello-" + port;
   }
 
-  String token() {
+  AccessToken token() {
     return token;
   }
 
-  /** Whether a request carries the token in its address or in a header. */
+  /** Whether a request carries the token in its address. */
   boolean named(HttpExchange request) {
-    return matches(parameter(request.getRequestURI(), TOKEN).orElse(""))
-        || matches(first(request.getRequestHeaders(), HEADER));
+    return token.matches(parameter(request.getRequestURI(), TOKEN).orElse(""));
   }
 
   /** Whether a request may be answered. */
   boolean allows(HttpExchange request) {
     Headers headers = request.getRequestHeaders();
-    boolean foreign = !first(headers, "Origin").isEmpty() && !isOwn(headers);
-    return !foreign && (named(request) || (isLocal(headers) && carriesCookie(headers)));
+    boolean reads = request.getRequestMethod().equals("GET");
+    return isSameOrigin(headers)
+        && (named(request) || (reads && isOwnHost(headers) && carriesCookie(headers)));
   }
 
   /** Returns the header that makes a browser send the token from now on. */
   String cookieHeader() {
-    return cookie + "=" + token + "; SameSite=Strict; HttpOnly; Path=/";
+    return cookie + "=" + token.text() + "; SameSite=Strict; HttpOnly; Path=/";
   }
 
   private boolean carriesCookie(Headers headers) {
-    return headers.getOrDefault("Cookie", java.util.List.of()).stream()
+    return headers.getOrDefault("Cookie", List.of()).stream()
         .flatMap(line -> Arrays.stream(line.split(";")))
         .map(String::strip)
-        .anyMatch(
-            each -> each.startsWith(cookie + "=") && matches(each.substring(cookie.length() + 1)));
+        .filter(each -> each.startsWith(cookie + "="))
+        .anyMatch(each -> token.matches(each.substring(cookie.length() + 1)));
   }
 
-  /** Whether the page that sent a request came from the host that the request names. */
-  private static boolean isOwn(Headers headers) {
-    String origin = first(headers, "Origin");
-    String host = first(headers, "Host");
-    return origin.equals("http://" + host) || origin.equals("https://" + host);
+  /**
+   * Whether the page that sent a request came from this server. Requests that belong to no page
+   * have no origin. Proxies may replace the host, and then say which one was asked for.
+   */
+  private static boolean isSameOrigin(Headers headers) {
+    String origin = first(headers, "Origin").replaceFirst("^https?://", "");
+    return origin.isEmpty()
+        || origin.equals(first(headers, "Host"))
+        || origin.equals(first(headers, "X-Forwarded-Host"));
   }
 
   /** Whether a request names an address as its host, which no other site can pretend to be. */
-  private static boolean isLocal(Headers headers) {
+  private static boolean isOwnHost(Headers headers) {
     String host = first(headers, "Host").replaceFirst(":[0-9]+$", "");
-    return LOCAL.contains(host) || host.matches("[0-9.]+|\\[[0-9a-fA-F:.]+]");
+    return host.equals("localhost") || host.matches("[0-9.]+|\\[[0-9a-fA-F:.]+]");
   }
 
-  private static final Set<String> LOCAL = Set.of("localhost");
-
-  private boolean matches(String given) {
-    return MessageDigest.isEqual(
-        given.getBytes(StandardCharsets.UTF_8), token.getBytes(StandardCharsets.UTF_8));
-  }
-
-  private static String first(Headers headers, String name) {
+  static String first(Headers headers, String name) {
     return Optional.ofNullable(headers.getFirst(name)).orElse("");
   }
 
@@ -102,12 +88,15 @@ final class Access {
     return Optional.ofNullable(uri.getRawQuery()).stream()
         .flatMap(query -> Arrays.stream(query.split("&")))
         .filter(each -> each.startsWith(name + "="))
-        .map(each -> URLDecoder.decode(each.substring(name.length() + 1), StandardCharsets.UTF_8))
+        .map(each -> decoded(each.substring(name.length() + 1)))
         .findFirst();
   }
 
-  /** Returns the link for a browser on this machine, or in its network. */
-  String link(InetAddress address, int port) {
-    return "http://" + address.getHostAddress() + ":" + port + "/?" + TOKEN + "=" + token;
+  private static String decoded(String text) {
+    try {
+      return URLDecoder.decode(text, StandardCharsets.UTF_8);
+    } catch (IllegalArgumentException e) {
+      return text; // a lone % stands for itself
+    }
   }
 }

@@ -53,7 +53,8 @@ final class RoomPictures implements AutoCloseable {
     Seen now =
         new Seen(
             subject.scenes().scene(snapshot),
-            viewer.at(snapshot, drone, subject.scenario().challenge().goals(), width, height));
+            viewer.at(
+                snapshot, drone, subject.goals().progress().challenge().goals(), width, height));
     if (seen.filter(now::equals).isPresent()) {
       return Optional.empty();
     }

@@ -69,7 +69,7 @@ final class ViewerCamera {
    */
   synchronized void zoom(double factor) {
     fitted = false;
-    orbit = orbit.zoomed(factor, FARTHEST);
+    orbit = orbit.zoomed(Math.max(0.1, Math.min(10, factor)), FARTHEST);
   }
 
   /**
