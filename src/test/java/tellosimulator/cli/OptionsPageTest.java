@@ -10,6 +10,7 @@ import java.lang.reflect.Field;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -24,7 +25,8 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.testing.GeneratedPage;
-import tellosimulator.testing.HeadlessSimulators;
+import tellosimulator.video.SoftwareCameras;
+import tellosimulator.video.camera.DroneOptics;
 
 /**
  * Checks that {@code docs/options.md} contains every option, subcommand, exit code and console
@@ -162,7 +164,11 @@ class OptionsPageTest {
   private static String console() throws InterruptedException {
     ByteArrayOutputStream printed = new ByteArrayOutputStream();
     try (HeadlessSimulator simulator =
-        HeadlessSimulators.of(Scenario.of(SimConfig.DEFAULT), AddressPlan.ofMachine(1, 0))) {
+        new HeadlessSimulator(
+            Scenario.of(SimConfig.DEFAULT),
+            AddressPlan.ofMachine(1, 0),
+            OptionalInt.empty(),
+            new SoftwareCameras(DroneOptics.DEFAULT))) {
       simulator.run(
           new BufferedReader(new StringReader("help\nquit\n")),
           new PrintStream(printed, true, StandardCharsets.UTF_8));

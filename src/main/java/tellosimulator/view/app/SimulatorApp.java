@@ -373,13 +373,9 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     try {
       return Optional.of(value.get());
     } catch (IllegalArgumentException e) {
-      complain(scenario, e);
+      complain(List.of(language -> title(scenario, language) + ": " + e.getMessage()));
       return Optional.empty();
     }
-  }
-
-  private void complain(OpenedScenario scenario, IllegalArgumentException e) {
-    complain(List.of(language -> title(scenario, language) + ": " + e.getMessage()));
   }
 
   /**
@@ -478,14 +474,19 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
    * that is impossible, returns empty and shows the reason in the window.
    */
   private Optional<OpenedScenario> applied(OpenedScenario chosen, OptionalLong seed) {
+    Optional<Scenario> plain = orComplaint(chosen, () -> rules.applied.apply(chosen.scenario()));
+    if (plain.isEmpty() || !chosen.varies()) {
+      return plain.map(chosen::with);
+    }
     try {
-      return Optional.of(chosen.under(rules.applied, seed));
+      long drawnFrom = seed.orElse(plain.get().config().seed());
+      OpenedScenario course = chosen.drawnFrom(drawnFrom);
+      Scenario scenario = rules.applied.apply(course.scenario());
+      return Optional.of(course.with(scenario.withConfig(scenario.config().withSeed(drawnFrom))));
     } catch (ScenarioException e) {
       complain(e);
-    } catch (IllegalArgumentException e) {
-      complain(chosen, e);
+      return Optional.empty();
     }
-    return Optional.empty();
   }
 
   /** Ends the current session and begins a new one in the same stage. */

@@ -13,11 +13,9 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.SceneExtent;
-import tellosimulator.scenery.orbit.Orbit;
-import tellosimulator.scenery.orbit.Orbit.Offset;
-import tellosimulator.scenery.orbit.ViewWindow;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.view.world.Orbit.Offset;
 import tellosimulator.world.Arena;
 
 /**
@@ -123,7 +121,7 @@ final class Framing {
     List<Vec3> floor = SceneExtent.floor(fitted.arena.room());
     List<Vec3> things = things();
     return direction.seenFrom(
-        nearest(floor, things, direction.attitude()), SceneExtent.middle(union(floor, things)));
+        nearest(floor, things, direction.attitude()), middle(union(floor, things)));
   }
 
   /**
@@ -187,14 +185,7 @@ final class Framing {
   }
 
   private ViewWindow window(Rectangle2D part) {
-    double halfWidth = picture.size().getWidth() / 2;
-    double halfHeight = picture.size().getHeight() / 2;
-    return ViewWindow.of(
-        halfHeight / Math.tan(fieldOfView / 2),
-        halfWidth - part.getMinX(),
-        halfWidth - part.getMaxX(),
-        halfHeight - part.getMinY(),
-        halfHeight - part.getMaxY());
+    return ViewWindow.of(fieldOfView, picture.size(), part);
   }
 
   private Subject subject(SimSnapshot snapshot) {
@@ -210,5 +201,24 @@ final class Framing {
       points.add(place.plusScaled(Vec3.UP, AIR));
     }
     return points;
+  }
+
+  /** Returns the centre of the bounding box of some points. */
+  private static Vec3 middle(List<Vec3> points) {
+    Vec3 least = points.get(0);
+    Vec3 most = points.get(0);
+    for (Vec3 each : points) {
+      least =
+          new Vec3(
+              Math.min(least.x(), each.x()),
+              Math.min(least.y(), each.y()),
+              Math.min(least.z(), each.z()));
+      most =
+          new Vec3(
+              Math.max(most.x(), each.x()),
+              Math.max(most.y(), each.y()),
+              Math.max(most.z(), each.z()));
+    }
+    return least.plus(most).times(0.5);
   }
 }

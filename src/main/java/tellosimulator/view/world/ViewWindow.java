@@ -1,9 +1,11 @@
-package tellosimulator.scenery.orbit;
+package tellosimulator.view.world;
 
 import java.util.List;
+import javafx.geometry.Dimension2D;
+import javafx.geometry.Rectangle2D;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.orbit.Orbit.Offset;
+import tellosimulator.view.world.Orbit.Offset;
 
 /**
  * A rectangle of a perspective view, given by the tangents of the angles between the middle of the
@@ -14,22 +16,26 @@ import tellosimulator.scenery.orbit.Orbit.Offset;
  * @param top positive above the middle
  * @param bottom less than {@code top}
  */
-public record ViewWindow(double left, double right, double top, double bottom) {
+record ViewWindow(double left, double right, double top, double bottom) {
 
   /**
    * Returns a rectangle of a view.
    *
-   * @param focalLength the focal length of the view [px]
-   * @param left distance of the left edge from the middle of the view [px]; the others likewise
+   * @param fieldOfView the angle from top to bottom of the view [rad]
+   * @param size the size of the view [px]
+   * @param part the rectangle, from the view's top left corner [px]
    */
-  public static ViewWindow of(
-      double focalLength, double left, double right, double top, double bottom) {
+  static ViewWindow of(double fieldOfView, Dimension2D size, Rectangle2D part) {
+    double focalLength = size.getHeight() / 2 / Math.tan(fieldOfView / 2);
     return new ViewWindow(
-        left / focalLength, right / focalLength, top / focalLength, bottom / focalLength);
+        (size.getWidth() / 2 - part.getMinX()) / focalLength,
+        (size.getWidth() / 2 - part.getMaxX()) / focalLength,
+        (size.getHeight() / 2 - part.getMinY()) / focalLength,
+        (size.getHeight() / 2 - part.getMaxY()) / focalLength);
   }
 
   /** Returns the offset of the rectangle's middle. */
-  public Offset middle() {
+  Offset middle() {
     return new Offset((left + right) / 2, (top + bottom) / 2);
   }
 
@@ -48,7 +54,7 @@ public record ViewWindow(double left, double right, double top, double bottom) {
    * @param points at least two points in the room frame [m]
    * @param attitude the attitude of the camera, which looks along its x axis
    */
-  public Vec3 nearest(List<Vec3> points, Attitude attitude) {
+  Vec3 nearest(List<Vec3> points, Attitude attitude) {
     double leftmost = Double.NEGATIVE_INFINITY;
     double rightmost = Double.POSITIVE_INFINITY;
     double highest = Double.NEGATIVE_INFINITY;

@@ -1,8 +1,12 @@
-package tellosimulator.sim;
+package tellosimulator.view.model;
 
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import tellosimulator.command.WireText;
+import tellosimulator.sim.Severity;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimInput;
+import tellosimulator.sim.SimListener;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 

@@ -1,4 +1,4 @@
-package tellosimulator.pilot;
+package tellosimulator.view.pilot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package tellosimulator.pilot;
+package tellosimulator.view.pilot;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,4 +1,4 @@
-package tellosimulator.scenery.orbit;
+package tellosimulator.view.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
