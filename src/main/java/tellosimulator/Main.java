@@ -16,7 +16,6 @@ import tellosimulator.cli.EscapingPrintStream;
 import tellosimulator.cli.ExitCode;
 import tellosimulator.cli.Invocation;
 import tellosimulator.cli.Invocation.Action;
-import tellosimulator.cli.Launch;
 import tellosimulator.cli.Options;
 import tellosimulator.cli.ProgramInput;
 import tellosimulator.cli.ProgramOutput;
@@ -25,6 +24,7 @@ import tellosimulator.cli.Subcommand;
 import tellosimulator.cli.SubcommandName;
 import tellosimulator.concurrent.FatalExit;
 import tellosimulator.files.IoReason;
+import tellosimulator.files.TemporaryFolder;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.goal.Score;
 import tellosimulator.headless.HeadlessSimulator;
@@ -38,6 +38,7 @@ import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.report.FlightReports;
 import tellosimulator.report.ReportTexts;
+import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.view.app.ReplayApp;
 import tellosimulator.view.app.SimulatorApp;
@@ -53,8 +54,8 @@ import tellosimulator.view.text.Language;
 public final class Main {
 
   /**
-   * Maximum number of recordings in the default folder for flights in the window; older ones are
-   * deleted. Decided: enough for a lesson.
+   * Maximum number of recordings of flights in the window or from browsers, unless the user has
+   * chosen a folder; older ones are deleted. Decided: enough for a lesson.
    */
   private static final int RECORDINGS_KEPT = 20;
 
@@ -133,8 +134,8 @@ public final class Main {
     if (options.replay().isPresent()) {
       return () -> replay(options.replay().get());
     }
-    Launch launch = options.launch();
-    return () -> simulate(launch, words);
+    OpenedScenario first = options.launch();
+    return () -> simulate(first, words);
   }
 
   private int listScenarios() {
@@ -178,25 +179,25 @@ public final class Main {
     return app.run(window.settings(), window.state()) ? ExitCode.DONE : ExitCode.FAILED;
   }
 
-  private int simulate(Launch launch, List<String> words)
+  private int simulate(OpenedScenario first, List<String> words)
       throws PortTakenException, InterruptedException {
     if (options.headless()) {
-      return simulateHeadless(launch, words);
+      return simulateHeadless(first, words);
     }
     WindowStart window = WindowStart.attempt();
     if (window.obstacle().isPresent()) {
       err.println(window.obstacle().get().sentence());
-      return simulateHeadless(launch, words);
+      return simulateHeadless(first, words);
     }
-    return simulateInWindow(launch, window, words);
+    return simulateInWindow(first, window, words);
   }
 
-  private int simulateInWindow(Launch launch, WindowStart window, List<String> words)
+  private int simulateInWindow(OpenedScenario first, WindowStart window, List<String> words)
       throws InterruptedException, PortTakenException {
     SimulatorApp.Rules rules =
         new SimulatorApp.Rules(
             options::applied, options::addressPlan, options.replyPort(), recordings(words));
-    try (SimulatorApp app = new SimulatorApp(launch.scenario(), rules, options.optics())) {
+    try (SimulatorApp app = new SimulatorApp(first, rules, options.optics())) {
       atEnd(() -> end(app));
       if (options.on()) {
         app.switchAllOn();
@@ -249,31 +250,41 @@ public final class Main {
     return new SimulatorApp.Recordings(folder, options.record().isPresent(), words);
   }
 
-  private int simulateHeadless(Launch launch, List<String> words)
+  private int simulateHeadless(OpenedScenario first, List<String> words)
       throws PortTakenException, InterruptedException {
     try (HeadlessSimulator simulator =
         new HeadlessSimulator(
-            launch.scenario().scenario(),
-            launch.addresses(),
-            options.replyPort(),
-            new SoftwareCameras(options.optics()))) {
+            first,
+            new HeadlessSimulator.Rules(
+                options::applied,
+                options::addressPlan,
+                options.replyPort(),
+                new SoftwareCameras(options.optics())))) {
       Optional<RecordingFolder> kept = options.record().map(RecordingFolder::at);
       Optional<FlightReports> reports =
           options.report().isPresent()
               ? Optional.of(FlightReports.to(options.report().get(), kept))
               : Optional.empty();
+      Optional<TemporaryFolder> lent = // for the reports on the page
+          options.web().isPresent() && kept.isEmpty() && reports.isEmpty()
+              ? Optional.of(TemporaryFolder.create("tello-flights"))
+              : Optional.empty();
       reports
           .map(FlightReports::recordings)
           .or(() -> kept)
-          .ifPresent(folder -> simulator.record(folder, launch.scenario().title(), words));
+          .or(() -> lent.map(to -> RecordingFolder.keeping(to.path(), RECORDINGS_KEPT)))
+          .ifPresent(folder -> simulator.record(folder, words));
       simulator.switchOn();
-      atEnd(() -> end(simulator, reports));
+      atEnd(() -> end(simulator, reports, lent));
       if (options.control().isPresent()) {
         simulator.openControl(options.control().get(), out);
       }
+      if (options.web().isPresent()) {
+        simulator.openWeb(options.web().get(), out);
+      }
       simulator.sayReady(out);
       int status = run(simulator);
-      return end(simulator, reports) || status != ExitCode.DONE ? status : ExitCode.FAILED;
+      return end(simulator, reports, lent) || status != ExitCode.DONE ? status : ExitCode.FAILED;
     } catch (PortTakenException e) {
       throw e;
     } catch (IOException e) {
@@ -286,8 +297,12 @@ public final class Main {
    * Closes the simulator, and writes the result and all reports; also called when the program is
    * asked to end. Returns whether all files were written.
    */
-  private boolean end(HeadlessSimulator simulator, Optional<FlightReports> reports) {
+  private boolean end(
+      HeadlessSimulator simulator,
+      Optional<FlightReports> reports,
+      Optional<TemporaryFolder> lent) {
     simulator.close();
+    lent.ifPresent(TemporaryFolder::close);
     printScore(simulator);
     boolean written = writeResult(simulator::result);
     return writeReports(reports) && written;

@@ -23,7 +23,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -44,12 +43,11 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.StreamPorts;
+import tellosimulator.testing.HeadlessSimulators;
 import tellosimulator.testing.Jvm;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 import tellosimulator.time.TimeFactor;
-import tellosimulator.video.SoftwareCameras;
-import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
@@ -458,11 +456,9 @@ class ExamplesTest {
     Flight(SimConfig config) throws IOException, InterruptedException {
       List<InetAddress> loopback = List.of(InetAddress.getLoopbackAddress());
       simulator =
-          new HeadlessSimulator(
+          HeadlessSimulators.of(
               Scenario.of(config.withStreamPorts(new StreamPorts(statePort, videoPort))),
-              AddressPlan.portPerDrone(config.starts().size(), loopback, 0),
-              OptionalInt.empty(),
-              new SoftwareCameras(DroneOptics.DEFAULT));
+              AddressPlan.portPerDrone(config.starts().size(), loopback, 0));
       simulator.switchOn();
       addresses =
           ADDRESS.matcher(printed(simulator::sayReady)).results().map(MatchResult::group).toList();

@@ -1,6 +1,7 @@
 package tellosimulator.cli;
 
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -101,6 +102,15 @@ final class NetworkOptions {
     return optionList
         .option("--state-port", "PORT", "Where your program takes the drone's state.")
         .read(OptionTypes::port, USUAL_STATE_PORT);
+  }
+
+  /**
+   * Returns the address of a server for browsers: on all addresses of this machine, or loopback.
+   */
+  InetSocketAddress webAddress(int port) {
+    return lan.value()
+        ? new InetSocketAddress(port)
+        : new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
   }
 
   /** Returns the number of addresses to bind if each of them is for one drone; otherwise empty. */

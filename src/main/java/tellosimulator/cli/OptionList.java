@@ -244,6 +244,16 @@ final class OptionList {
       return read(word -> OptionTypes.byName(word, values, name), name.apply(byDefault));
     }
 
+    /**
+     * Lets the option be given without a value.
+     *
+     * @param value the value that it then has, as a word
+     */
+    Valued orAlone(String value) {
+      builder.arity("0..1").fallbackValue(value);
+      return this;
+    }
+
     /** Adds the option without a default value. */
     <T> OptionValue<Optional<T>> readIfGiven(ITypeConverter<T> converter) {
       ITypeConverter<Optional<T>> present = word -> Optional.of(converter.convert(word));

@@ -1,5 +1,6 @@
 package tellosimulator.cli;
 
+import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,7 +25,7 @@ import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
 
-/** The command-line options of the simulator, and the {@link Launch} that they describe. */
+/** The command-line options of the simulator, and the scenario that they describe. */
 public final class Options {
 
   static final String CAMERA_FOV = "--camera-fov";
@@ -35,6 +36,11 @@ public final class Options {
   private static final String[] LOG_LEVELS = {"error", "warn", "info", "debug", "off"};
 
   private static final String CONTROL = "--control";
+
+  private static final String WEB = "--web";
+
+  /** The port of the page for browsers, unless one is given. Decided: usual for web servers. */
+  private static final String WEB_PORT = "8080";
 
   private final OptionList optionList = OptionList.ofSimulator();
 
@@ -120,6 +126,17 @@ public final class Options {
               "With --headless: let tests in other languages see what drones really do, reset,"
                   + " advance and break things, with JSON lines over TCP on this machine; 0 chooses"
                   + " a free port. A line that begins with control says where, and the token.")
+          .readIfGiven(OptionTypes::portOrFree);
+
+  private final OptionValue<Optional<Integer>> web =
+      optionList
+          .option(
+              WEB,
+              "[PORT]",
+              "With --headless: show and fly the drones in a browser; 0 chooses a free port. A line"
+                  + " that begins with web contains the link. With --lan, other machines of the local"
+                  + " network can open it, too.")
+          .orAlone(WEB_PORT)
           .readIfGiven(OptionTypes::portOrFree);
 
   private final OptionValue<Long> seed =
@@ -225,6 +242,13 @@ public final class Options {
     return scenarioOptions.list.value();
   }
 
+  /**
+   * The address of the page for browsers; port 0 lets the system choose. Empty if there is no page.
+   */
+  public Optional<InetSocketAddress> web() {
+    return web.value().map(network::webAddress);
+  }
+
   public boolean exitWhenDone() {
     return scenarioOptions.endsByItself().isPresent();
   }
@@ -245,27 +269,34 @@ public final class Options {
   }
 
   /**
-   * Returns the simulation to run.
+   * Returns the scenario to fly, with all options applied.
    *
    * @throws IllegalArgumentException if the options are inconsistent; the message is one sentence
    */
-  public Launch launch() {
+  public OpenedScenario launch() {
     Scenario scenario = scenario();
-    AddressPlan addresses = addressPlan(scenario);
+    addressPlan(scenario); // there must be enough ports
     Optional<String> end = scenarioOptions.endsByItself();
     if (end.isPresent() && (!headless() || scenario.challenge().goals().isEmpty())) {
       throw new IllegalArgumentException(
           end.get() + " needs --headless and a --scenario with goals");
     }
-    if (control().isPresent() && (!headless() || end.isPresent())) {
+    checkServer(CONTROL, control().isPresent(), end);
+    checkServer(WEB, web().isPresent(), end);
+    if (control().isPresent() && web().isPresent()) {
       throw new IllegalArgumentException(
-          headless() ? CONTROL + " does not go with " + end.get() : CONTROL + " needs --headless");
+          CONTROL + " does not go with " + WEB + ", whose pages open other scenarios");
     }
     ScenarioOptions.checkPictures(scenario.config().arena());
     recordingOptions.check(headless(), inputs(scenario));
-    OpenedScenario opened =
-        opened().map(read -> read.with(scenario)).orElseGet(() -> OpenedScenario.once(scenario));
-    return new Launch(opened, addresses);
+    return opened().map(read -> read.with(scenario)).orElseGet(() -> OpenedScenario.once(scenario));
+  }
+
+  private void checkServer(String option, boolean given, Optional<String> end) {
+    if (given && (!headless() || end.isPresent())) {
+      throw new IllegalArgumentException(
+          headless() ? option + " does not go with " + end.get() : option + " needs --headless");
+    }
   }
 
   private Optional<OpenedScenario> opened() {
@@ -276,7 +307,7 @@ public final class Options {
   private List<Path> inputs(Scenario scenario) {
     List<Path> inputs = new ArrayList<>();
     opened().flatMap(OpenedScenario::file).ifPresent(inputs::add);
-    ScenarioOptions.pictures(scenario.config().arena()).map(Path::of).forEach(inputs::add);
+    scenario.config().arena().pictures().map(Path::of).forEach(inputs::add);
     return inputs;
   }
 

@@ -101,7 +101,7 @@ final class RunSubcommand implements Subcommand {
         throw new IllegalArgumentException(decided + " does not go with run, which decides that");
       }
     }
-    Scenario scenario = options.launch().scenario().scenario();
+    Scenario scenario = options.launch().scenario();
     int drones = scenario.config().drones().size();
     if (drones > ProgramRun.MOST_DRONES) {
       throw new IllegalArgumentException(

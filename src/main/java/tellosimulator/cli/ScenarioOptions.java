@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.Stream;
 import picocli.CommandLine.TypeConversionException;
 import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Gallery;
@@ -12,7 +11,6 @@ import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenery.texture.ImageFile;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Poster;
 
 /** The command-line options for the scenario. */
 public final class ScenarioOptions {
@@ -135,15 +133,7 @@ public final class ScenarioOptions {
    * @throws IllegalArgumentException if a picture cannot be read; the message is one sentence
    */
   static void checkPictures(Arena arena) {
-    pictures(arena).forEach(ScenarioOptions::checkPicture);
-  }
-
-  /** Returns the image files that a room refers to. */
-  static Stream<String> pictures(Arena arena) {
-    Stream<String> onWalls = arena.decor().posters().stream().map(Poster::picture);
-    Stream<String> onObstacles =
-        arena.obstacles().stream().flatMap(each -> each.appearance().pictures().values().stream());
-    return Stream.concat(onWalls, onObstacles).distinct();
+    arena.pictures().forEach(ScenarioOptions::checkPicture);
   }
 
   private static void checkPicture(String file) {

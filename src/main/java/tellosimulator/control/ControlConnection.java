@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -33,7 +32,7 @@ final class ControlConnection implements Agent {
   private final ErrorPolicy gone = ErrorPolicy.finish("A client of the control channel is gone");
   private final Socket socket;
   private final InputStream in;
-  private final String token;
+  private final AccessToken token;
   private final Requests requests;
   private final Consumer<ControlConnection> ended;
 
@@ -43,7 +42,7 @@ final class ControlConnection implements Agent {
    * @param ended called when the connection has ended
    */
   ControlConnection(
-      Socket socket, String token, Requests requests, Consumer<ControlConnection> ended)
+      Socket socket, AccessToken token, Requests requests, Consumer<ControlConnection> ended)
       throws IOException {
     this.socket = socket;
     this.in = new BufferedInputStream(socket.getInputStream());
@@ -94,7 +93,7 @@ final class ControlConnection implements Agent {
       return Outcome.WORKED;
     }
     Optional<Object> id = Optional.ofNullable(request.get("id"));
-    if (!(request.get("token") instanceof String said && isToken(said))) {
+    if (!(request.get("token") instanceof String said && token.matches(said))) {
       String what = request.containsKey("token") ? "wrong" : "missing";
       refuse(socket, id, WRONG_TOKEN.replace("%s", what));
       return Outcome.FINISHED;
@@ -108,15 +107,6 @@ final class ControlConnection implements Agent {
       throw e;
     }
     return Outcome.WORKED;
-  }
-
-  /**
-   * Returns whether a text is the token. The comparison takes the same time for all texts of the
-   * same length.
-   */
-  private boolean isToken(String said) {
-    return MessageDigest.isEqual(
-        token.getBytes(StandardCharsets.UTF_8), said.getBytes(StandardCharsets.UTF_8));
   }
 
   private void accept(Optional<Object> id, Object result) throws IOException {

@@ -5,14 +5,11 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
-import java.security.SecureRandom;
-import java.util.HexFormat;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
-import tellosimulator.junit.TelloSimulator;
 import tellosimulator.network.PortTakenException;
 
 /**
@@ -27,19 +24,12 @@ public final class ControlServer implements AutoCloseable {
    */
   static final int MOST_CONNECTIONS = 8;
 
-  /** Length of the token [bytes]. Decided: 128 bits cannot be guessed. */
-  private static final int TOKEN_BYTES = 16;
-
   /** Maximum number of clients waiting to be accepted. Decided. */
   private static final int BACKLOG = 16;
 
   private final ServerSocket server;
 
-  /**
-   * The secret that each request must contain, because every user of a machine can connect to its
-   * loopback interface.
-   */
-  private final String token;
+  private final AccessToken token = AccessToken.create();
 
   private final Requests requests;
   private final Set<ControlConnection> connections = ConcurrentHashMap.newKeySet();
@@ -51,11 +41,8 @@ public final class ControlServer implements AutoCloseable {
    * @param port the port; 0 lets the system choose
    * @throws PortTakenException if the port cannot be opened
    */
-  public ControlServer(TelloSimulator simulator, int port) throws PortTakenException {
-    requests = new Requests(simulator);
-    byte[] secret = new byte[TOKEN_BYTES];
-    new SecureRandom().nextBytes(secret);
-    token = HexFormat.of().formatHex(secret);
+  public ControlServer(Requests requests, int port) throws PortTakenException {
+    this.requests = requests;
     InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
     try {
       server = new ServerSocket(port, BACKLOG, address.getAddress());
@@ -117,7 +104,7 @@ public final class ControlServer implements AutoCloseable {
         + ":"
         + port()
         + " token "
-        + token;
+        + token();
   }
 
   int port() {
@@ -125,7 +112,7 @@ public final class ControlServer implements AutoCloseable {
   }
 
   String token() {
-    return token;
+    return token.text();
   }
 
   /** Closes the server and all connections. */

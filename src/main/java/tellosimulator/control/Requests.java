@@ -15,7 +15,7 @@ import tellosimulator.junit.TelloSimulator;
 import tellosimulator.words.Spelling;
 
 /** The table of requests: name, parameters and action. Thread-safe. */
-final class Requests {
+public final class Requests {
 
   /** The members of a request that are not parameters. */
   private static final Set<String> ENVELOPE = Set.of("id", "token", "do");
@@ -28,7 +28,8 @@ final class Requests {
 
   private record Request(List<String> parameters, Function<Parameters, Object> result) {}
 
-  Requests(TelloSimulator simulator) {
+  /** Creates the requests to a simulator. */
+  public Requests(TelloSimulator simulator) {
     this.simulator = simulator;
     tell("drones", List.of(), request -> simulator.drones().stream().map(Answers::drone).toList());
     tell("truth", List.of("drone"), request -> Answers.truth(drone(request).truth()));
@@ -102,7 +103,7 @@ final class Requests {
    * @throws AssertionError if an awaited condition does not occur; the first line of the message is
    *     a sentence
    */
-  Object result(Map<String, Object> request) {
+  public Object result(Map<String, Object> request) {
     if (!(request.get("do") instanceof String name)) {
       throw new IllegalArgumentException(
           "the request needs do, one of " + String.join(", ", table.keySet()));

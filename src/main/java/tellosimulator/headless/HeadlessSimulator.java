@@ -2,41 +2,36 @@ package tellosimulator.headless;
 
 import java.io.BufferedReader;
 import java.io.PrintStream;
+import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
-import org.slf4j.event.Level;
+import java.util.OptionalLong;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.control.ControlServer;
-import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Score;
-import tellosimulator.junit.TelloSimulator;
 import tellosimulator.network.AddressPlan;
-import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
-import tellosimulator.recording.FlightRecorder;
-import tellosimulator.recording.FlightRecorder.Subject;
 import tellosimulator.recording.FlightResult;
 import tellosimulator.recording.RecordingFolder;
+import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioException;
 import tellosimulator.sim.Control;
-import tellosimulator.sim.LogLimiter;
-import tellosimulator.sim.Severity;
-import tellosimulator.sim.SimEvent;
-import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.SoftwareCameras;
-import tellosimulator.video.VideoStreams;
-import tellosimulator.video.codec.H264Encoder;
+import tellosimulator.web.ScenarioHost;
+import tellosimulator.web.WebServer;
+import tellosimulator.web.WebSubject;
 
 /**
  * The simulator without a window. It switches all drones on, prints a line when it is ready, and
- * reads commands from a console.
+ * reads commands from a console. Browsers can open other scenarios, each in a session of its own.
  */
-public final class HeadlessSimulator implements AutoCloseable {
+public final class HeadlessSimulator implements AutoCloseable, ScenarioHost {
 
   /**
    * Maximum time for which a program may continue after the verdict [ms]. Decided: long enough to
@@ -44,46 +39,42 @@ public final class HeadlessSimulator implements AutoCloseable {
    */
   private static final long FAREWELL_MS = 5000;
 
-  private final Scenario scenario;
-  private final GoalWatch goals;
-  private final ExitCondition exitCondition;
-  private final ExitCondition.Standstill standstill = new AsFastAsPossible();
-  private final PaceWatch pace;
-  private final OnlineSimulation simulation;
-  private final VideoStreams video;
-  private volatile Optional<ControlServer> control = Optional.empty();
-  private volatile Optional<FlightRecorder> recorder = Optional.empty();
-
   /**
-   * Starts the simulation with all drones off.
+   * The rules that apply to every scenario.
    *
+   * @param applied applies the command-line options to a scenario
+   * @param plan assigns the address at which each drone listens
    * @param replyPort the port to which all replies go; if empty, each reply goes to the port from
    *     which its command came
    * @param cameras creates a camera for each drone's video
    */
-  public HeadlessSimulator(
-      Scenario scenario, AddressPlan plan, OptionalInt replyPort, SoftwareCameras cameras) {
-    this.scenario = scenario;
-    EventLog log = new EventLog();
-    goals =
-        new GoalWatch(
-            scenario.challenge(),
-            news -> {
-              log.event(news);
-              recorder.ifPresent(each -> each.event(news));
-            });
-    exitCondition = new ExitCondition(goals, this::endAttempt);
-    pace = new PaceWatch(exitCondition::now);
-    List<SimListener> listeners = List.of(new LogLimiter(log), goals, exitCondition, pace);
-    simulation = new OnlineSimulation(scenario.config(), plan, replyPort, listeners);
-    video = VideoStreams.of(simulation, cameras, H264Encoder::new);
+  public record Rules(
+      UnaryOperator<Scenario> applied,
+      Function<Scenario, AddressPlan> plan,
+      OptionalInt replyPort,
+      SoftwareCameras cameras) {}
+
+  private final Rules rules;
+  private volatile HeadlessSession session;
+  private volatile WebSubject subject;
+  private Optional<RecordingFolder> recordings = Optional.empty();
+  private List<String> words = List.of();
+  private boolean closed;
+  private volatile Optional<ControlServer> control = Optional.empty();
+  private volatile Optional<WebServer> web = Optional.empty();
+
+  /**
+   * Starts the simulation with all drones off.
+   *
+   * @param first the scenario, with all options applied
+   */
+  public HeadlessSimulator(OpenedScenario first, Rules rules) {
+    this.rules = rules;
+    session = session(first, rules.plan.apply(first.scenario()));
   }
 
-  /** Makes the end of the attempt part of the flight: a replay reaches no goal after it either. */
-  private void endAttempt() {
-    if (!scenario.challenge().goals().isEmpty()) {
-      simulation.endAttempt();
-    }
+  private HeadlessSession session(OpenedScenario opened, AddressPlan plan) {
+    return new HeadlessSession(opened, plan, rules.replyPort, rules.cameras);
   }
 
   /**
@@ -92,7 +83,7 @@ public final class HeadlessSimulator implements AutoCloseable {
    * @throws PortTakenException if an address or port cannot be opened
    */
   public void switchOn() throws PortTakenException {
-    simulation.switchAllOn();
+    session.simulation.switchAllOn();
   }
 
   /**
@@ -103,29 +94,68 @@ public final class HeadlessSimulator implements AutoCloseable {
    * @throws PortTakenException if the port cannot be opened
    */
   public void openControl(int port, PrintStream out) throws PortTakenException {
-    ControlServer server = new ControlServer(TelloSimulator.of(simulation, scenario, goals), port);
+    ControlServer server = new ControlServer(session.requests(), port);
     control = Optional.of(server);
     out.println(server.line());
+  }
+
+  /**
+   * Opens the page for browsers and prints its link. Must be called after {@link #switchOn} and
+   * before {@link #sayReady}.
+   *
+   * @param address the address; port 0 lets the system choose
+   * @throws PortTakenException if the port cannot be opened
+   */
+  public void openWeb(InetSocketAddress address, PrintStream out) throws PortTakenException {
+    subject = session.subject(1, rules.cameras);
+    WebServer server = WebServer.of(this, address);
+    web = Optional.of(server);
+    server.lines().forEach(out::println);
+  }
+
+  @Override
+  public WebSubject current() {
+    return subject;
+  }
+
+  @Override
+  public Optional<RecordingFolder> recordings() {
+    return recordings;
+  }
+
+  @Override
+  public synchronized void open(OpenedScenario chosen, OptionalLong seed)
+      throws ScenarioException, PortTakenException {
+    OpenedScenario next = chosen.under(rules.applied, seed);
+    AddressPlan plan = rules.plan.apply(next.scenario());
+    if (closed) {
+      return;
+    }
+    HeadlessSession before = session;
+    before.close();
+    session = session(next, plan);
+    recordings.ifPresent(folder -> session.record(folder, words));
+    subject = session.subject(subject.number() + 1, rules.cameras);
+    before.exitCondition.now(); // whoever waits for its end waits for the new one
+    session.simulation.switchAllOn();
   }
 
   /**
    * Starts to record all flights. Must be called before {@link #switchOn}; otherwise the flights
    * cannot be replayed.
    *
-   * @param title the title of the scenario, or the name of its file
    * @param options the command-line arguments
    */
-  public void record(RecordingFolder folder, String title, List<String> options) {
-    Subject subject = new Subject(title, scenario, options, goals);
-    FlightRecorder started = FlightRecorder.start(folder, subject, reason -> {});
-    started.attach(simulation, video);
-    recorder = Optional.of(started);
+  public void record(RecordingFolder folder, List<String> options) {
+    recordings = Optional.of(folder);
+    words = List.copyOf(options);
+    session.record(folder, options);
   }
 
   /** Prints the ready line with the addresses of the drones. */
   public void sayReady(PrintStream out) {
     shrinkHeap();
-    out.println(simulation.ready());
+    out.println(session.simulation.ready());
     out.flush();
   }
 
@@ -135,9 +165,13 @@ public final class HeadlessSimulator implements AutoCloseable {
    */
   public void run(BufferedReader in, PrintStream out) throws InterruptedException {
     startConsole(in, out);
-    exitCondition.awaitFinish();
-    exitCondition.awaitResult(standstill);
-    exitCondition.awaitRest(standstill);
+    HeadlessSession waited;
+    do {
+      waited = session;
+      waited.exitCondition.awaitFinish();
+    } while (waited != session); // a browser has opened another scenario
+    waited.exitCondition.awaitResult(waited.standstill);
+    waited.exitCondition.awaitRest(waited.standstill);
   }
 
   /**
@@ -160,16 +194,17 @@ public final class HeadlessSimulator implements AutoCloseable {
   public Progress.Status runUntilDone(
       Optional<Double> timeout, boolean programRuns, BufferedReader in, PrintStream out)
       throws InterruptedException {
+    ExitCondition exitCondition = session.exitCondition;
     exitCondition.limit(timeout, programRuns);
     startConsole(in, out);
-    Progress result = exitCondition.awaitResult(standstill);
+    Progress result = exitCondition.awaitResult(session.standstill);
     out.println(result.phrase());
     out.flush();
-    if (programRuns && !pace.impatient()) {
+    if (programRuns && !session.pace.impatient()) {
       exitCondition.awaitFinish(FAREWELL_MS);
       landAll();
     }
-    exitCondition.awaitRest(standstill);
+    exitCondition.awaitRest(session.standstill);
     return result.status();
   }
 
@@ -178,65 +213,48 @@ public final class HeadlessSimulator implements AutoCloseable {
    * before, so that its flight depends on when simulated time passes.
    */
   public void endUnlessProgramWaits() {
-    pace.activate();
+    session.pace.activate();
   }
 
   /** Whether the run has ended because the program did not wait for a reply. */
   public boolean programDidNotWait() {
-    return pace.impatient();
+    return session.pace.impatient();
   }
 
   private void landAll() {
     for (SimSnapshot.DroneSnapshot drone : snapshot().drones()) {
       try {
-        simulation.carryOut(new Control.Land(drone.state().drone()));
+        carryOut(new Control.Land(drone.state().drone()));
       } catch (PortTakenException e) {
         throw new IllegalStateException("a landing opens no port", e);
       }
     }
   }
 
-  /**
-   * Advances simulated time when it stands still, which happens only at time factor {@code max}.
-   */
-  private final class AsFastAsPossible implements ExitCondition.Standstill {
-
-    @Override
-    public boolean possible() {
-      SimSnapshot.Clock clock = snapshot().clock();
-      return clock.factor().unlimited() && !clock.paused();
-    }
-
-    @Override
-    public void pass(double seconds) {
-      simulation.letPass(seconds);
-    }
+  private void carryOut(Control control) throws PortTakenException {
+    session.simulation.carryOut(control);
   }
 
   private void startConsole(BufferedReader in, PrintStream out) {
     Worker.start(
         "console",
-        new Console(simulation::snapshot, simulation::carryOut, in, out)
-            .agent(exitCondition::finish, exitCondition::now));
+        new Console(this::snapshot, this::carryOut, in, out)
+            .agent(() -> session.exitCondition.finish(), () -> session.exitCondition.now()));
   }
 
   /** Returns the final score; empty without points. Must be called after {@link #close}. */
   public Optional<Score> score() {
-    return goals.progress().score();
+    return session.goals.progress().score();
   }
 
-  /** Returns the outcome of the run. Must be called after {@link #close}. */
+  /** Returns the outcome of the present scenario. Must be called after {@link #close}. */
   public FlightResult result() {
-    Progress last = goals.progress();
-    boolean goalless = scenario.challenge().goals().isEmpty(); // nothing can be missed
-    Progress verdict = goalless ? last : exitCondition.verdict().orElse(last);
-    boolean missed = !goalless && exitCondition.missed();
-    return FlightResult.of(verdict, missed, last.score(), goals.tally());
+    return session.result();
   }
 
   /** Returns the latest snapshot. Thread-safe. */
   SimSnapshot snapshot() {
-    return simulation.snapshot();
+    return session.simulation.snapshot();
   }
 
   /**
@@ -250,41 +268,10 @@ public final class HeadlessSimulator implements AutoCloseable {
   }
 
   @Override
-  public void close() {
+  public synchronized void close() {
+    closed = true;
+    web.ifPresent(WebServer::close);
     control.ifPresent(ControlServer::close);
-    video.close();
-    simulation.close();
-    goals.close();
-    recorder.ifPresent(FlightRecorder::close);
-  }
-
-  /** Writes events to the log, at the level that corresponds to their {@link Severity}. */
-  private static final class EventLog implements SimListener {
-
-    private static final Logger LOG = LoggerFactory.getLogger("tellosimulator.event");
-
-    @Override
-    public void event(SimEvent event) {
-      LOG.atLevel(level(event.severity())).log("{}", lineOf(event));
-    }
-
-    private static Level level(Severity severity) {
-      return switch (severity) {
-        case ERROR -> Level.ERROR;
-        case WARNING -> Level.WARN;
-        case INFORMATION -> Level.INFO;
-        case DETAIL -> Level.DEBUG;
-      };
-    }
-
-    /** Returns an object that formats the line only when it is written. */
-    private static Object lineOf(SimEvent event) {
-      return new Object() {
-        @Override
-        public String toString() {
-          return event.line();
-        }
-      };
-    }
+    session.close();
   }
 }

@@ -43,7 +43,7 @@ public final class FlightReport {
   }
 
   /** Returns the whole page. */
-  String html() {
+  public String html() {
     String style = HtmlTemplate.resource("report.css");
     String script = SCRIPTS.stream().map(HtmlTemplate::resource).collect(Collectors.joining("\n"));
     return HtmlTemplate.page("report.html", texts)

@@ -4,6 +4,8 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.function.UnaryOperator;
 import tellosimulator.sim.SimConfig;
 
 /**
@@ -71,6 +73,26 @@ public record OpenedScenario(
   }
 
   /**
+   * Returns this scenario with rules for all scenarios applied, and its course drawn from a seed.
+   *
+   * @param rules applies the command-line options; throws an {@link IllegalArgumentException} with
+   *     a message for the user if they do not fit the scenario
+   * @param seed the seed of the course; if empty, that of the rules or of the scenario
+   * @throws ScenarioException if no course of this seed fits
+   */
+  public OpenedScenario under(UnaryOperator<Scenario> rules, OptionalLong seed)
+      throws ScenarioException {
+    Scenario plain = rules.apply(scenario);
+    if (!varies()) {
+      return with(plain);
+    }
+    long drawnFrom = seed.orElse(plain.config().seed());
+    OpenedScenario course = drawnFrom(drawnFrom);
+    Scenario changed = rules.apply(course.scenario);
+    return course.with(changed.withConfig(changed.config().withSeed(drawnFrom)));
+  }
+
+  /**
    * Returns the English name of the scenario, or else the name of its file, or else its short name
    * in the gallery; may be empty.
    */
@@ -105,5 +127,23 @@ public record OpenedScenario(
   /** Creates an opened scenario that comes with the program. */
   public static OpenedScenario known(ScenarioDocument document, String name) {
     return new OpenedScenario(document, document.scenario(), Optional.empty(), Optional.of(name));
+  }
+
+  /**
+   * Opens a scenario that was sent from another machine.
+   *
+   * @param name the name of the file there, for messages
+   * @throws ScenarioException if it contains errors
+   * @throws IllegalArgumentException if it has pictures, which are files of this machine; the
+   *     message is one sentence
+   */
+  public static OpenedScenario received(String name, byte[] bytes) throws ScenarioException {
+    ScenarioDocument document = ScenarioFile.open(name, bytes, Path.of(""), OptionalLong.empty());
+    Scenario scenario = document.scenario();
+    if (scenario.config().arena().pictures().findAny().isPresent()) {
+      throw new IllegalArgumentException(
+          name + " has pictures, which cannot be sent: remove them, or begin with --scenario");
+    }
+    return new OpenedScenario(document, scenario, Optional.empty(), Optional.empty());
   }
 }

@@ -45,6 +45,25 @@ public final class SceneExtent {
     return places;
   }
 
+  /** Returns the centre of the bounding box of some points. */
+  public static Vec3 middle(List<Vec3> points) {
+    Vec3 least = points.get(0);
+    Vec3 most = points.get(0);
+    for (Vec3 each : points) {
+      least =
+          new Vec3(
+              Math.min(least.x(), each.x()),
+              Math.min(least.y(), each.y()),
+              Math.min(least.z(), each.z()));
+      most =
+          new Vec3(
+              Math.max(most.x(), each.x()),
+              Math.max(most.y(), each.y()),
+              Math.max(most.z(), each.z()));
+    }
+    return least.plus(most).times(0.5);
+  }
+
   /** Returns the points around the obstacles, mission pads, starts and goals in a room. */
   public static List<Vec3> things(Arena arena, List<Pose> starts, List<Goal> goals) {
     List<Vec3> places = new ArrayList<>();

@@ -3,6 +3,7 @@ package tellosimulator.world;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * A room with its contents, except for the drones. Immutable.
@@ -53,5 +54,13 @@ public record Arena(
 
   public Arena withWind(Wind newWind) {
     return new Arena(room, decor, obstacles, pads, newWind);
+  }
+
+  /** Returns the image files that the room refers to. */
+  public Stream<String> pictures() {
+    Stream<String> onWalls = decor.posters().stream().map(Poster::picture);
+    Stream<String> onObstacles =
+        obstacles.stream().flatMap(each -> each.appearance().pictures().values().stream());
+    return Stream.concat(onWalls, onObstacles).distinct();
   }
 }

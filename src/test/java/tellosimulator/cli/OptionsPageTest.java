@@ -10,7 +10,6 @@ import java.lang.reflect.Field;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -25,8 +24,7 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.testing.GeneratedPage;
-import tellosimulator.video.SoftwareCameras;
-import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.testing.HeadlessSimulators;
 
 /**
  * Checks that {@code docs/options.md} contains every option, subcommand, exit code and console
@@ -164,11 +162,7 @@ class OptionsPageTest {
   private static String console() throws InterruptedException {
     ByteArrayOutputStream printed = new ByteArrayOutputStream();
     try (HeadlessSimulator simulator =
-        new HeadlessSimulator(
-            Scenario.of(SimConfig.DEFAULT),
-            AddressPlan.ofMachine(1, 0),
-            OptionalInt.empty(),
-            new SoftwareCameras(DroneOptics.DEFAULT))) {
+        HeadlessSimulators.of(Scenario.of(SimConfig.DEFAULT), AddressPlan.ofMachine(1, 0))) {
       simulator.run(
           new BufferedReader(new StringReader("help\nquit\n")),
           new PrintStream(printed, true, StandardCharsets.UTF_8));

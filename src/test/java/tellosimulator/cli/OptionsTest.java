@@ -40,7 +40,7 @@ class OptionsTest {
     Options options = options("");
 
     assertThat(options.scenario().config()).isEqualTo(SimConfig.DEFAULT);
-    assertThat(options.launch().addresses()).isEqualTo(AddressPlan.ofMachine(1, 8879));
+    assertThat(plan(options)).isEqualTo(AddressPlan.ofMachine(1, 8879));
     assertThat(options.replyPort()).isEmpty();
     assertThat(options.logLevel()).isEqualTo("info");
     assertThat(options.headless()).isFalse();
@@ -116,8 +116,7 @@ class OptionsTest {
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 8889, 65535})
   void everyPortCanBeTheCommandPort(int port) {
-    assertThat(options("--command-port " + port).launch().addresses())
-        .isEqualTo(AddressPlan.ofMachine(1, port));
+    assertThat(plan(options("--command-port " + port))).isEqualTo(AddressPlan.ofMachine(1, port));
   }
 
   @ParameterizedTest
@@ -126,7 +125,7 @@ class OptionsTest {
     Options options = options("--room 2000x2000x300 --drones " + drones);
 
     assertThat(options.scenario().config().starts()).hasSize(drones);
-    assertThat(options.launch().addresses().drones()).hasSize(drones);
+    assertThat(plan(options).drones()).hasSize(drones);
   }
 
   @Test
@@ -183,8 +182,8 @@ class OptionsTest {
 
   @Test
   void onlyWithLanTheNetworkReachesTheFirstDrone() {
-    assertThat(options("").launch().addresses().reach()).isEqualTo(Reach.THIS_MACHINE);
-    assertThat(options("--lan").launch().addresses().reach()).isEqualTo(Reach.NETWORK);
+    assertThat(plan(options("")).reach()).isEqualTo(Reach.THIS_MACHINE);
+    assertThat(plan(options("--lan")).reach()).isEqualTo(Reach.NETWORK);
     assertThat(addresses(options("--lan")).get(0)).contains(at("127.0.0.1", 8879));
     assertThat(addresses(options("--port-per-drone --drones 2")))
         .containsExactly(List.of(at("127.0.0.1", 8879)), List.of(at("127.0.0.1", 8880)));
@@ -207,7 +206,7 @@ class OptionsTest {
   }
 
   private static List<List<InetSocketAddress>> addresses(Options options) {
-    return DroneNetwork.of(options.launch().addresses()).addresses();
+    return DroneNetwork.of(plan(options)).addresses();
   }
 
   @Test
@@ -224,7 +223,7 @@ class OptionsTest {
     Options options = options("--scenario swarm-stage");
 
     assertThat(options.scenario()).isEqualTo(Gallery.find("swarm-stage").orElseThrow());
-    assertThat(options.launch().addresses().drones()).hasSize(3);
+    assertThat(plan(options).drones()).hasSize(3);
   }
 
   @Test
@@ -256,14 +255,19 @@ class OptionsTest {
         .containsExactly(at("127.0.0.3", 8889));
   }
 
+  private static AddressPlan plan(Options options) {
+    return options.addressPlan(options.launch().scenario());
+  }
+
   @Test
   void whatIsLaunchedIsTheScenarioOfTheOptionsWithAnAddressForEachDrone() {
-    Launch launch =
-        options("--scenario swarm-stage --seed 8 --bind 127.0.0.4,127.0.0.5,127.0.0.6").launch();
+    Options options =
+        options("--scenario swarm-stage --seed 8 --bind 127.0.0.4,127.0.0.5,127.0.0.6");
+    OpenedScenario launch = options.launch();
 
-    assertThat(launch.scenario().known()).contains("swarm-stage");
-    assertThat(launch.scenario().scenario().config().seed()).isEqualTo(8);
-    assertThat(DroneNetwork.of(launch.addresses()).addresses().get(2))
+    assertThat(launch.known()).contains("swarm-stage");
+    assertThat(launch.scenario().config().seed()).isEqualTo(8);
+    assertThat(DroneNetwork.of(plan(options)).addresses().get(2))
         .containsExactly(at("127.0.0.6", 8879));
   }
 
@@ -274,7 +278,7 @@ class OptionsTest {
             folder.resolve("wind.yaml"), "wind: {speed: 0..2000}\nseed: 3\nname: Windy\n");
     double drawn = speed(options("--scenario " + file + " --seed 8"));
 
-    assertThat(options("--scenario " + file + " --seed 8").launch().scenario().varies()).isTrue();
+    assertThat(options("--scenario " + file + " --seed 8").launch().varies()).isTrue();
     assertThat(speed(options("--seed 8 --scenario " + file))).isEqualTo(drawn);
     assertThat(speed(options("--scenario " + file)))
         .isNotEqualTo(drawn)
@@ -282,7 +286,7 @@ class OptionsTest {
   }
 
   private static double speed(Options options) {
-    return options.launch().scenario().scenario().config().arena().wind().mean().norm();
+    return options.launch().scenario().config().arena().wind().mean().norm();
   }
 
   @Test

@@ -19,7 +19,6 @@ import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -30,9 +29,8 @@ import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.StreamPorts;
+import tellosimulator.testing.HeadlessSimulators;
 import tellosimulator.time.TimeFactor;
-import tellosimulator.video.SoftwareCameras;
-import tellosimulator.video.camera.DroneOptics;
 
 /** Records a drone that streams video, with real sockets. */
 @Timeout(value = 180, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
@@ -53,7 +51,7 @@ class RecordedFilmTest {
         DatagramSocket commands = socket()) {
       List<String> seen = new ArrayList<>();
       try (HeadlessSimulator simulator = simulator(video.getLocalPort())) {
-        simulator.record(RecordingFolder.at(folder), "film", List.of());
+        simulator.record(RecordingFolder.at(folder), List.of());
         simulator.switchOn();
         InetSocketAddress drone = address(simulator);
         assertThat(ask(commands, "command", drone)).isEqualTo("ok");
@@ -96,11 +94,7 @@ class RecordedFilmTest {
         SimConfig.DEFAULT
             .withStreamPorts(new StreamPorts(9, videoPort))
             .withTimeFactor(TimeFactor.MAX);
-    return new HeadlessSimulator(
-        Scenario.of(config),
-        AddressPlan.of(List.of(LOOPBACK), 0),
-        OptionalInt.empty(),
-        new SoftwareCameras(DroneOptics.DEFAULT));
+    return HeadlessSimulators.of(Scenario.of(config), AddressPlan.of(List.of(LOOPBACK), 0));
   }
 
   /** Returns the drone's address from the ready line. */

@@ -373,9 +373,13 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     try {
       return Optional.of(value.get());
     } catch (IllegalArgumentException e) {
-      complain(List.of(language -> title(scenario, language) + ": " + e.getMessage()));
+      complain(scenario, e);
       return Optional.empty();
     }
+  }
+
+  private void complain(OpenedScenario scenario, IllegalArgumentException e) {
+    complain(List.of(language -> title(scenario, language) + ": " + e.getMessage()));
   }
 
   /**
@@ -474,19 +478,14 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
    * that is impossible, returns empty and shows the reason in the window.
    */
   private Optional<OpenedScenario> applied(OpenedScenario chosen, OptionalLong seed) {
-    Optional<Scenario> plain = orComplaint(chosen, () -> rules.applied.apply(chosen.scenario()));
-    if (plain.isEmpty() || !chosen.varies()) {
-      return plain.map(chosen::with);
-    }
     try {
-      long drawnFrom = seed.orElse(plain.get().config().seed());
-      OpenedScenario course = chosen.drawnFrom(drawnFrom);
-      Scenario scenario = rules.applied.apply(course.scenario());
-      return Optional.of(course.with(scenario.withConfig(scenario.config().withSeed(drawnFrom))));
+      return Optional.of(chosen.under(rules.applied, seed));
     } catch (ScenarioException e) {
       complain(e);
-      return Optional.empty();
+    } catch (IllegalArgumentException e) {
+      complain(chosen, e);
     }
+    return Optional.empty();
   }
 
   /** Ends the current session and begins a new one in the same stage. */

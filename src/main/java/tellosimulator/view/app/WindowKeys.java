@@ -3,6 +3,7 @@ package tellosimulator.view.app;
 import javafx.beans.property.BooleanProperty;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
+import tellosimulator.scenery.orbit.RoomView;
 import tellosimulator.sim.Control;
 import tellosimulator.view.layout.KeyBindings;
 import tellosimulator.view.layout.WindowKey;
@@ -11,7 +12,6 @@ import tellosimulator.view.layout.WindowState.Flag;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.video.VideoCapture;
-import tellosimulator.view.world.RoomView;
 
 /** The keys of the simulator's window and their actions. Confined to the JavaFX thread. */
 record WindowKeys(SimulatorWindow window, ViewContext context, WindowState state, Stage stage) {

@@ -14,10 +14,10 @@ import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.ToggleGroup;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.scenery.orbit.RoomView;
 import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Messages;
-import tellosimulator.view.world.RoomView;
 import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.view.world.ViewCamera;
 

@@ -7,8 +7,8 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
+import tellosimulator.scenery.orbit.RoomView;
 import tellosimulator.view.text.Messages;
-import tellosimulator.view.world.RoomView;
 
 /** The keys of the window, except for the keys that fly a drone. */
 public enum WindowKey {

@@ -2,6 +2,7 @@ package tellosimulator.view.model;
 
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.scenery.overlay.ContactLog;
+import tellosimulator.sim.LastCommand;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.view.text.Language;

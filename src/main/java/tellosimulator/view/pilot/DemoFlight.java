@@ -9,6 +9,8 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import tellosimulator.goal.Challenge;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.pilot.DemoTour;
+import tellosimulator.pilot.GoalRoute;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.ViewContext;

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.pilot.OperatorSocket;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.ViewContext;

@@ -6,6 +6,7 @@ import java.util.Optional;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.pilot.OperatorSocket;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Message;

@@ -12,6 +12,7 @@ import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
+import tellosimulator.scenery.orbit.RoomView;
 import tellosimulator.view.fx.Nodes;
 import tellosimulator.view.layout.BarButtons;
 import tellosimulator.view.layout.LabeledToolBar;
@@ -19,7 +20,6 @@ import tellosimulator.view.layout.Theme;
 import tellosimulator.view.model.SceneContext;
 import tellosimulator.view.text.Messages;
 import tellosimulator.view.world.GhostFlight;
-import tellosimulator.view.world.RoomView;
 import tellosimulator.view.world.Simulator3DScene;
 
 /**

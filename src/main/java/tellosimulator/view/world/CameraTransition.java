@@ -1,5 +1,7 @@
 package tellosimulator.view.world;
 
+import tellosimulator.scenery.orbit.Orbit;
+
 /** Moves a camera smoothly from one orbit to another. Not thread-safe. */
 final class CameraTransition {
 

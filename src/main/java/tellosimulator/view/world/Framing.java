@@ -13,9 +13,11 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.SceneExtent;
+import tellosimulator.scenery.orbit.Orbit;
+import tellosimulator.scenery.orbit.Orbit.Offset;
+import tellosimulator.scenery.orbit.ViewWindow;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
-import tellosimulator.view.world.Orbit.Offset;
 import tellosimulator.world.Arena;
 
 /**
@@ -121,7 +123,7 @@ final class Framing {
     List<Vec3> floor = SceneExtent.floor(fitted.arena.room());
     List<Vec3> things = things();
     return direction.seenFrom(
-        nearest(floor, things, direction.attitude()), middle(union(floor, things)));
+        nearest(floor, things, direction.attitude()), SceneExtent.middle(union(floor, things)));
   }
 
   /**
@@ -185,7 +187,14 @@ final class Framing {
   }
 
   private ViewWindow window(Rectangle2D part) {
-    return ViewWindow.of(fieldOfView, picture.size(), part);
+    double halfWidth = picture.size().getWidth() / 2;
+    double halfHeight = picture.size().getHeight() / 2;
+    return ViewWindow.of(
+        halfHeight / Math.tan(fieldOfView / 2),
+        halfWidth - part.getMinX(),
+        halfWidth - part.getMaxX(),
+        halfHeight - part.getMinY(),
+        halfHeight - part.getMaxY());
   }
 
   private Subject subject(SimSnapshot snapshot) {
@@ -201,24 +210,5 @@ final class Framing {
       points.add(place.plusScaled(Vec3.UP, AIR));
     }
     return points;
-  }
-
-  /** Returns the centre of the bounding box of some points. */
-  private static Vec3 middle(List<Vec3> points) {
-    Vec3 least = points.get(0);
-    Vec3 most = points.get(0);
-    for (Vec3 each : points) {
-      least =
-          new Vec3(
-              Math.min(least.x(), each.x()),
-              Math.min(least.y(), each.y()),
-              Math.min(least.z(), each.z()));
-      most =
-          new Vec3(
-              Math.max(most.x(), each.x()),
-              Math.max(most.y(), each.y()),
-              Math.max(most.z(), each.z()));
-    }
-    return least.plus(most).times(0.5);
   }
 }

@@ -25,6 +25,7 @@ import tellosimulator.math.Pose;
 import tellosimulator.scenery.Scene;
 import tellosimulator.scenery.SceneBuilder;
 import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.orbit.RoomView;
 import tellosimulator.scenery.overlay.Overlay;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.DroneOptics;

@@ -10,6 +10,8 @@ import tellosimulator.goal.Goal;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.orbit.Orbit;
+import tellosimulator.scenery.orbit.RoomView;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;

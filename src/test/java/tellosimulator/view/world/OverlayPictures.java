@@ -17,6 +17,7 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.scenery.orbit.RoomView;
 import tellosimulator.scenery.overlay.ContactDecal;
 
 /** Checks of goals and contacts that apply to each renderer of the window's scene. */

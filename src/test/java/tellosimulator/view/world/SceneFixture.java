@@ -36,6 +36,7 @@ import tellosimulator.math.Pose;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.model.Motion;
+import tellosimulator.scenery.orbit.RoomView;
 import tellosimulator.scenery.overlay.ContactDecal;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;

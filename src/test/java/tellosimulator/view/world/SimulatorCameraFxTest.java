@@ -22,6 +22,7 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.scenery.orbit.RoomView;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.world.Room;
 

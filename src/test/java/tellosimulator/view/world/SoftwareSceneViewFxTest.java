@@ -18,6 +18,7 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.scenery.orbit.RoomView;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.view.world.SceneFixture.GoalRegion;
 import tellosimulator.world.Decor;

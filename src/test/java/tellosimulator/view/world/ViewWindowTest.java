@@ -15,15 +15,27 @@ import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.orbit.Orbit;
+import tellosimulator.scenery.orbit.RoomView;
+import tellosimulator.scenery.orbit.ViewWindow;
 
 class ViewWindowTest {
 
   private static final double FIELD_OF_VIEW = Math.toRadians(38);
   private static final Dimension2D SIZE = new Dimension2D(1000, 600);
 
+  private static ViewWindow window(Rectangle2D part) {
+    return ViewWindow.of(
+        SIZE.getHeight() / 2 / Math.tan(FIELD_OF_VIEW / 2),
+        SIZE.getWidth() / 2 - part.getMinX(),
+        SIZE.getWidth() / 2 - part.getMaxX(),
+        SIZE.getHeight() / 2 - part.getMinY(),
+        SIZE.getHeight() / 2 - part.getMaxY());
+  }
+
   @Test
   void straightAheadTheDistanceIsThatOfTheFieldOfView() {
-    ViewWindow all = ViewWindow.of(FIELD_OF_VIEW, SIZE, new Rectangle2D(0, 0, 1000, 600));
+    ViewWindow all = window(new Rectangle2D(0, 0, 1000, 600));
     List<Vec3> square =
         List.of(new Vec3(0, 1, 1), new Vec3(0, -1, 1), new Vec3(0, 1, -1), new Vec3(0, -1, -1));
 
@@ -37,7 +49,7 @@ class ViewWindowTest {
   @ParameterizedTest
   @CsvSource({"0, 1", "0, 0.5", "45, 1", "90, 0.5"})
   void theMoreLevelOneLooksTheLowerAreFlatThings(double elevationDeg, double halfWidth) {
-    ViewWindow all = ViewWindow.of(FIELD_OF_VIEW, SIZE, new Rectangle2D(0, 0, 1000, 600));
+    ViewWindow all = window(new Rectangle2D(0, 0, 1000, 600));
     Attitude attitude = new Orbit(0, Math.toRadians(elevationDeg), 1, Vec3.ZERO).attitude();
     Vec3 right = new Vec3(0, -halfWidth, 0);
     List<Vec3> line = List.of(right, right.times(-1));
@@ -72,7 +84,7 @@ class ViewWindowTest {
 
   private static void assertTight(RoomView view, List<Vec3> points, Rectangle2D part) {
     Attitude attitude = new Orbit(view.heading(), view.elevation(), 1, Vec3.ZERO).attitude();
-    ViewWindow window = ViewWindow.of(FIELD_OF_VIEW, SIZE, part);
+    ViewWindow window = window(part);
 
     Vec3 place = window.nearest(points, attitude);
 

@@ -1,4 +1,4 @@
-package tellosimulator.view.world;
+package tellosimulator.scenery.orbit;
 
 /** A view of the room that is selected by a key or in a menu. */
 public enum RoomView {
@@ -32,12 +32,12 @@ public enum RoomView {
   }
 
   /** Returns the direction in which the camera looks [rad]. */
-  double heading() {
+  public double heading() {
     return heading;
   }
 
   /** Returns the angle of the camera above the horizontal [rad]. */
-  double elevation() {
+  public double elevation() {
     return elevation;
   }
 }

@@ -1,4 +1,4 @@
-package tellosimulator.view.world;
+package tellosimulator.scenery.orbit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,4 +1,4 @@
-package tellosimulator.view.pilot;
+package tellosimulator.pilot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

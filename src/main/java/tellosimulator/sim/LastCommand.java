@@ -1,12 +1,8 @@
-package tellosimulator.view.model;
+package tellosimulator.sim;
 
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import tellosimulator.command.WireText;
-import tellosimulator.sim.Severity;
-import tellosimulator.sim.SimEvent;
-import tellosimulator.sim.SimInput;
-import tellosimulator.sim.SimListener;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 

@@ -1,11 +1,9 @@
-package tellosimulator.view.world;
+package tellosimulator.scenery.orbit;
 
 import java.util.List;
-import javafx.geometry.Dimension2D;
-import javafx.geometry.Rectangle2D;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Vec3;
-import tellosimulator.view.world.Orbit.Offset;
+import tellosimulator.scenery.orbit.Orbit.Offset;
 
 /**
  * A rectangle of a perspective view, given by the tangents of the angles between the middle of the
@@ -16,26 +14,22 @@ import tellosimulator.view.world.Orbit.Offset;
  * @param top positive above the middle
  * @param bottom less than {@code top}
  */
-record ViewWindow(double left, double right, double top, double bottom) {
+public record ViewWindow(double left, double right, double top, double bottom) {
 
   /**
    * Returns a rectangle of a view.
    *
-   * @param fieldOfView the angle from top to bottom of the view [rad]
-   * @param size the size of the view [px]
-   * @param part the rectangle, from the view's top left corner [px]
+   * @param focalLength the focal length of the view [px]
+   * @param left distance of the left edge from the middle of the view [px]; the others likewise
    */
-  static ViewWindow of(double fieldOfView, Dimension2D size, Rectangle2D part) {
-    double focalLength = size.getHeight() / 2 / Math.tan(fieldOfView / 2);
+  public static ViewWindow of(
+      double focalLength, double left, double right, double top, double bottom) {
     return new ViewWindow(
-        (size.getWidth() / 2 - part.getMinX()) / focalLength,
-        (size.getWidth() / 2 - part.getMaxX()) / focalLength,
-        (size.getHeight() / 2 - part.getMinY()) / focalLength,
-        (size.getHeight() / 2 - part.getMaxY()) / focalLength);
+        left / focalLength, right / focalLength, top / focalLength, bottom / focalLength);
   }
 
   /** Returns the offset of the rectangle's middle. */
-  Offset middle() {
+  public Offset middle() {
     return new Offset((left + right) / 2, (top + bottom) / 2);
   }
 
@@ -54,7 +48,7 @@ record ViewWindow(double left, double right, double top, double bottom) {
    * @param points at least two points in the room frame [m]
    * @param attitude the attitude of the camera, which looks along its x axis
    */
-  Vec3 nearest(List<Vec3> points, Attitude attitude) {
+  public Vec3 nearest(List<Vec3> points, Attitude attitude) {
     double leftmost = Double.NEGATIVE_INFINITY;
     double rightmost = Double.POSITIVE_INFINITY;
     double highest = Double.NEGATIVE_INFINITY;

@@ -1,4 +1,4 @@
-package tellosimulator.view.pilot;
+package tellosimulator.pilot;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
@@ -14,7 +14,7 @@ import org.slf4j.LoggerFactory;
  * The UDP socket of an operator program on this machine, connected to a drone's command port. The
  * system chooses the socket's own port. Never blocks. Not thread-safe.
  */
-final class OperatorSocket implements AutoCloseable {
+public final class OperatorSocket implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(OperatorSocket.class);
 
@@ -35,7 +35,7 @@ final class OperatorSocket implements AutoCloseable {
    *
    * @throws IOException if the system cannot provide one
    */
-  static OperatorSocket open(InetSocketAddress drone) throws IOException {
+  public static OperatorSocket open(InetSocketAddress drone) throws IOException {
     DatagramChannel channel = DatagramChannel.open(StandardProtocolFamily.INET);
     try {
       channel.configureBlocking(false);
@@ -48,7 +48,7 @@ final class OperatorSocket implements AutoCloseable {
   }
 
   /** Returns the address of the drone's command port. */
-  InetSocketAddress drone() {
+  public InetSocketAddress drone() {
     return drone;
   }
 
@@ -57,7 +57,7 @@ final class OperatorSocket implements AutoCloseable {
    *
    * @throws IOException if it cannot be sent, or if the previous command reached a closed port
    */
-  void send(String command) throws IOException {
+  public void send(String command) throws IOException {
     channel.write(ByteBuffer.wrap(command.getBytes(StandardCharsets.ISO_8859_1)));
   }
 
@@ -66,7 +66,7 @@ final class OperatorSocket implements AutoCloseable {
    *
    * @throws IOException if a command reached a closed port
    */
-  Optional<String> receive() throws IOException {
+  public Optional<String> receive() throws IOException {
     buffer.clear();
     if (channel.receive(buffer) == null) {
       return Optional.empty();

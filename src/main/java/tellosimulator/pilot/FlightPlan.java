@@ -1,4 +1,4 @@
-package tellosimulator.view.pilot;
+package tellosimulator.pilot;
 
 import java.util.ArrayList;
 import java.util.List;

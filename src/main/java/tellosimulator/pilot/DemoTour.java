@@ -1,4 +1,4 @@
-package tellosimulator.view.pilot;
+package tellosimulator.pilot;
 
 import java.util.List;
 import tellosimulator.math.Pose;
@@ -18,7 +18,7 @@ import tellosimulator.world.Room;
  * <p>All movements stay within a circle around a point near the start, so that the tour fits,
  * whichever way the nose points.
  */
-final class DemoTour {
+public final class DemoTour {
 
   /**
    * Clearance from the walls in a long tour [m]. Position errors add up during the tour. Measured:
@@ -82,7 +82,7 @@ final class DemoTour {
    *
    * @param number the number of a standing drone, from 1
    */
-  DemoTour(SimSnapshot snapshot, int number) {
+  public DemoTour(SimSnapshot snapshot, int number) {
     DroneSnapshot drone = snapshot.drones().get(number - 1);
     this.room = snapshot.room();
     this.space = new FreeSpace(snapshot, number);
@@ -92,7 +92,7 @@ final class DemoTour {
   }
 
   /** Returns the commands, from {@code command} to {@code land}. */
-  List<String> commands() {
+  public List<String> commands() {
     double radius = Math.min(LARGEST_RADIUS, freeRadius(LONG_MARGIN));
     FlightPlan route = begun();
     if (radius >= SMALLEST_LONG_RADIUS) {

@@ -1,4 +1,4 @@
-package tellosimulator.view.world;
+package tellosimulator.scenery.orbit;
 
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
@@ -17,15 +17,15 @@ import tellosimulator.math.Vec3;
  *     in the room frame
  * @param offset the position of the pivot in the view
  */
-record Orbit(double heading, double elevation, double distance, Vec3 shift, Offset offset) {
+public record Orbit(double heading, double elevation, double distance, Vec3 shift, Offset offset) {
 
   /**
    * The position of the pivot in the view, as tangents of the angles from the view's middle. An
    * offset lets the camera rotate about the visible centre even if panels cover a side of the view.
    */
-  record Offset(double left, double up) {
+  public record Offset(double left, double up) {
 
-    static final Offset NONE = new Offset(0, 0);
+    public static final Offset NONE = new Offset(0, 0);
 
     private Offset towards(Offset other, double part) {
       return new Offset(left + (other.left - left) * part, up + (other.up - up) * part);
@@ -33,24 +33,24 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
   }
 
   /** Highest elevation. Straight down is 90 degrees, beyond which the view would flip. */
-  static final double HIGHEST = Math.toRadians(89.5);
+  public static final double HIGHEST = Math.toRadians(89.5);
 
   /** Lowest elevation. Decided: lets a high-flying drone be seen from below. */
-  static final double LOWEST = Math.toRadians(-60);
+  public static final double LOWEST = Math.toRadians(-60);
 
   /** Shortest distance [m]. Decided: a drone then fills the view. */
-  static final double NEAREST = 0.15;
+  public static final double NEAREST = 0.15;
 
   /** Minimum height of the camera above the floor [m]. Decided. */
-  static final double ABOVE_FLOOR = 0.04;
+  public static final double ABOVE_FLOOR = 0.04;
 
-  Orbit {
+  public Orbit {
     elevation = Math.max(LOWEST, Math.min(HIGHEST, elevation));
     distance = Math.max(NEAREST, distance);
   }
 
   /** Creates an orbit whose pivot is in the middle of the view. */
-  Orbit(double heading, double elevation, double distance, Vec3 shift) {
+  public Orbit(double heading, double elevation, double distance, Vec3 shift) {
     this(heading, elevation, distance, shift, Offset.NONE);
   }
 
@@ -58,23 +58,23 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
    * Returns the orbit of a camera at another place, about another pivot. The camera looks in the
    * same direction as in this orbit.
    */
-  Orbit seenFrom(Vec3 place, Vec3 pivot) {
+  public Orbit seenFrom(Vec3 place, Vec3 pivot) {
     Vec3 way = attitude().toBody(pivot.minus(place));
     Offset seen = new Offset(way.y() / way.x(), way.z() / way.x());
     return new Orbit(heading, elevation, way.x(), pivot, seen);
   }
 
   /** Returns this orbit with another shift of the pivot from the target [m]. */
-  Orbit about(Vec3 newShift) {
+  public Orbit about(Vec3 newShift) {
     return new Orbit(heading, elevation, distance, newShift, offset);
   }
 
   /** Returns this orbit with the pivot elsewhere in the view. */
-  Orbit seenAt(Offset newOffset) {
+  public Orbit seenAt(Offset newOffset) {
     return new Orbit(heading, elevation, distance, shift, newOffset);
   }
 
-  Orbit turned(double headingChange, double elevationChange) {
+  public Orbit turned(double headingChange, double elevationChange) {
     return new Orbit(heading + headingChange, elevation + elevationChange, distance, shift, offset);
   }
 
@@ -84,7 +84,7 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
    * @param factor the factor by which the distance is multiplied
    * @param farthest the maximum distance [m]
    */
-  Orbit zoomed(double factor, double farthest) {
+  public Orbit zoomed(double factor, double farthest) {
     return new Orbit(heading, elevation, Math.min(farthest, distance * factor), shift, offset);
   }
 
@@ -95,7 +95,7 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
    * @param up the distance upwards [m]
    * @param farthest the maximum shift [m]
    */
-  Orbit shifted(double right, double up, double farthest) {
+  public Orbit shifted(double right, double up, double farthest) {
     Vec3 change = attitude().toRoom(new Vec3(0, -right, up));
     return about(shift.plus(change).limitedTo(farthest));
   }
@@ -105,7 +105,7 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
    *
    * @param part the fraction of the way, 0 to 1
    */
-  Orbit towards(Orbit other, double part) {
+  public Orbit towards(Orbit other, double part) {
     return new Orbit(
         heading + Frames.wrapped(other.heading - heading) * part,
         elevation + (other.elevation - elevation) * part,
@@ -120,7 +120,7 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
    *
    * @param target the followed point or the room's origin, in the room frame [m]
    */
-  Pose pose(Vec3 target) {
+  public Pose pose(Vec3 target) {
     Vec3 pivot = pivot(target);
     double reach = distance * Math.hypot(1, offset.up());
     double lowest = Math.asin(Math.max(-1, Math.min(1, (ABOVE_FLOOR - pivot.z()) / reach)));
@@ -130,13 +130,13 @@ record Orbit(double heading, double elevation, double distance, Vec3 shift, Offs
   }
 
   /** Returns the point that the camera looks at; never below the floor. */
-  Vec3 pivot(Vec3 target) {
+  public Vec3 pivot(Vec3 target) {
     Vec3 pivot = target.plus(shift);
     return pivot.withZ(Math.max(0, pivot.z()));
   }
 
   /** Returns the camera's attitude: along the heading, tilted down by the elevation. */
-  Attitude attitude() {
+  public Attitude attitude() {
     return attitude(elevation);
   }
 

@@ -1,4 +1,4 @@
-package tellosimulator.view.pilot;
+package tellosimulator.pilot;
 
 import java.util.List;
 import java.util.Optional;
@@ -18,7 +18,7 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
  * from goal to goal; if obstacles are in the way, it flies up, over them, and down again. It does
  * not search for routes around obstacles.
  */
-final class GoalRoute {
+public final class GoalRoute {
 
   /** Additional height of each further attempt to fly over an obstacle [m]. */
   private static final double HIGHER = 0.1;
@@ -113,7 +113,8 @@ final class GoalRoute {
    *
    * @param number the number of a standing drone, from 1
    */
-  static Optional<List<String>> commands(Challenge challenge, SimSnapshot snapshot, int number) {
+  public static Optional<List<String>> commands(
+      Challenge challenge, SimSnapshot snapshot, int number) {
     List<Goal> goals =
         challenge.goals().stream().filter(goal -> goal.drone().orElse(number) == number).toList();
     boolean waits = challenge.inOrder() && goals.size() < challenge.goals().size();

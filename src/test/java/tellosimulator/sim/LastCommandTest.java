@@ -1,4 +1,4 @@
-package tellosimulator.view.model;
+package tellosimulator.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -9,11 +9,9 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
 import tellosimulator.command.Request;
-import tellosimulator.sim.SimEvent;
-import tellosimulator.sim.SimInput;
+import tellosimulator.sim.LastCommand.Outcome;
+import tellosimulator.sim.LastCommand.Shown;
 import tellosimulator.time.SimTime;
-import tellosimulator.view.model.LastCommand.Outcome;
-import tellosimulator.view.model.LastCommand.Shown;
 import tellosimulator.words.Phrase;
 
 class LastCommandTest {

@@ -1,0 +1,40 @@
+package tellosimulator.web;
+
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import tellosimulator.video.FilmedPicture;
+import tellosimulator.video.VideoStream;
+import tellosimulator.video.VideoWatcher;
+import tellosimulator.video.picture.JpegEncoder;
+import tellosimulator.video.picture.Picture;
+
+/** The film of one drone as JPEG files. The video thread only copies the newest picture. */
+final class FilmPictures implements VideoWatcher, AutoCloseable {
+
+  /** Compression quality. Decided: the film itself is compressed more. */
+  private static final float QUALITY = 0.75f;
+
+  private final VideoStream stream;
+  private final AtomicReference<Picture> newest = new AtomicReference<>();
+
+  FilmPictures(VideoStream stream) {
+    this.stream = stream;
+    stream.watch(this);
+  }
+
+  @Override
+  public void filmed(FilmedPicture filmed) {
+    newest.set(filmed.picture().copy());
+  }
+
+  /** Returns the newest picture; empty if there is none since the last call. */
+  Optional<byte[]> next() {
+    return Optional.ofNullable(newest.getAndSet(null))
+        .map(picture -> JpegEncoder.encode(picture, QUALITY));
+  }
+
+  @Override
+  public void close() {
+    stream.ignore(this);
+  }
+}

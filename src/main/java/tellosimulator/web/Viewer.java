@@ -1,0 +1,244 @@
+package tellosimulator.web;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import tellosimulator.json.Json;
+import tellosimulator.scenery.orbit.RoomView;
+import tellosimulator.video.camera.RenderCache;
+
+/** One open page: its camera, its selected drone, and its streams. Thread-safe. */
+final class Viewer {
+
+  /** Time between two pictures [ns]. Decided: twenty a second. */
+  private static final long PICTURE_PERIOD = 50_000_000;
+
+  /** Time between two events [ns]. Decided: as often as the drone's own state lines. */
+  private static final long STATE_PERIOD = 100_000_000;
+
+  /** Number of unchanged states after which one is sent, so that proxies keep the stream open. */
+  private static final int MOST_UNCHANGED = 50;
+
+  private static final String BOUNDARY = "picture";
+
+  /** Largest width of a picture of the room [pixels]. Decided: what a projector can show. */
+  private static final int WIDEST = 1280;
+
+  private static final int NARROWEST = 160;
+  private static final int WIDTH = 960;
+  private static final int HEIGHT = 540;
+
+  private final Supplier<WebSubject> subject;
+  private final RenderCache cache;
+  private final ViewerCamera camera = new ViewerCamera();
+
+  /** The newest stream of each kind. */
+  private final Set<Object> streams = new HashSet<>();
+
+  private volatile int drone = 1;
+  private volatile boolean closed;
+
+  /**
+   * Creates the viewer of a new page.
+   *
+   * @param cache the cache of all viewers
+   */
+  Viewer(Supplier<WebSubject> subject, RenderCache cache) {
+    this.subject = subject;
+    this.cache = cache;
+  }
+
+  /** Whether no stream is open. */
+  synchronized boolean idle() {
+    return streams.isEmpty();
+  }
+
+  /** Ends all streams. */
+  void close() {
+    closed = true;
+  }
+
+  int drone() {
+    return Math.min(drone, subject.get().simulation().snapshot().drones().size());
+  }
+
+  ViewerCamera camera() {
+    return camera;
+  }
+
+  /**
+   * Selects a drone.
+   *
+   * @throws IllegalArgumentException if there is none with that number
+   */
+  void select(double number) {
+    int count = subject.get().simulation().snapshot().drones().size();
+    if (!(number >= 1 && number <= count)) {
+      throw new IllegalArgumentException("drone must be from 1 to " + count);
+    }
+    drone = (int) number;
+  }
+
+  /** Looks from a view that a page names. */
+  void look(String word) {
+    camera.look(
+        Arrays.stream(RoomView.values())
+            .filter(each -> each.name().equalsIgnoreCase(word))
+            .findFirst()
+            .orElseThrow(() -> new IllegalArgumentException("there is no such view")));
+  }
+
+  /** Sends pictures of the room until the browser goes away. */
+  void sendRoom(WebRequest request) throws IOException {
+    int width = size(request, "width", WIDTH);
+    int height = size(request, "height", HEIGHT);
+    WebSubject shown = subject.get();
+    try (RoomPictures pictures = new RoomPictures(shown, cache, width, height)) {
+      sendPictures(request, shown, () -> pictures.next(camera, drone()));
+    }
+  }
+
+  private static int size(WebRequest request, String name, int otherwise) {
+    return request
+        .parameter(name)
+        .filter(word -> word.matches("[0-9]{1,4}"))
+        .map(Integer::valueOf)
+        .map(pixels -> Math.max(NARROWEST, Math.min(WIDEST, pixels)) / 2 * 2)
+        .orElse(otherwise);
+  }
+
+  /** Sends the film of the selected drone until the browser goes away. */
+  void sendFilm(WebRequest request) throws IOException {
+    WebSubject shown = subject.get();
+    try (FilmPictures pictures = new FilmPictures(shown.video().stream(drone()))) {
+      sendPictures(request, shown, pictures::next);
+    }
+  }
+
+  private void sendPictures(
+      WebRequest request, WebSubject shown, Supplier<Optional<byte[]>> pictures)
+      throws IOException {
+    request.header("X-Content-Type-Options"); // with nosniff, browsers show nothing
+    stream(
+        request,
+        "multipart/x-mixed-replace; boundary=" + BOUNDARY,
+        PICTURE_PERIOD,
+        shown,
+        new Pictures(pictures));
+  }
+
+  private void stream(
+      WebRequest request, String type, long period, WebSubject shown, WebRequest.Part part)
+      throws IOException {
+    synchronized (this) {
+      streams.add(part);
+    }
+    try {
+      request.stream(type, period, () -> !closed && subject.get().number() == shown.number(), part);
+    } finally {
+      synchronized (this) {
+        streams.remove(part);
+      }
+    }
+  }
+
+  /** JPEG files, each of which replaces the one before in the browser. */
+  private static final class Pictures implements WebRequest.Part {
+
+    private final Supplier<Optional<byte[]>> pictures;
+    private Optional<byte[]> last = Optional.empty();
+    private boolean begun;
+
+    Pictures(Supplier<Optional<byte[]>> pictures) {
+      this.pictures = pictures;
+    }
+
+    @Override
+    public void write(OutputStream out) throws IOException {
+      if (!begun) {
+        out.write(("--" + BOUNDARY + "\r\n").getBytes(StandardCharsets.US_ASCII));
+        begun = true;
+      }
+      Optional<byte[]> picture = pictures.get();
+      if (picture.isPresent()) {
+        write(out, picture.get());
+      } else if (last.isPresent()) { // browsers show a picture when the next one begins
+        write(out, last.get());
+      }
+      last = picture;
+    }
+
+    /** Writes a picture, and the boundary behind it, so that the browser shows it at once. */
+    private static void write(OutputStream out, byte[] picture) throws IOException {
+      String head = "Content-Type: image/jpeg\r\nContent-Length: " + picture.length + "\r\n\r\n";
+      out.write(head.getBytes(StandardCharsets.US_ASCII));
+      out.write(picture);
+      out.write(("\r\n--" + BOUNDARY + "\r\n").getBytes(StandardCharsets.US_ASCII));
+      out.flush();
+    }
+  }
+
+  /** Sends the state and the log as server-sent events until the browser goes away. */
+  void sendState(WebRequest request, Supplier<Map<String, Object>> more) throws IOException {
+    WebSubject shown = subject.get();
+    stream(
+        request,
+        "text/event-stream",
+        STATE_PERIOD,
+        shown,
+        new Events(shown, new WebTexts(request.locale()), more));
+  }
+
+  /** The state, if it has changed, and the events that have happened. */
+  private static final class Events implements WebRequest.Part {
+
+    private final WebSubject subject;
+    private final WebTexts texts;
+    private final Supplier<Map<String, Object>> more;
+    private String before = "";
+    private int unchanged;
+    private long logged;
+
+    Events(WebSubject subject, WebTexts texts, Supplier<Map<String, Object>> more) {
+      this.subject = subject;
+      this.texts = texts;
+      this.more = more;
+    }
+
+    @Override
+    public void write(OutputStream out) throws IOException {
+      long count = subject.log().count();
+      if (count > logged || before.isEmpty()) {
+        send(
+            out,
+            before.isEmpty() ? "begin" : "log",
+            subject.log().after(logged).stream()
+                .map(event -> EventHistory.members(event, texts))
+                .toList());
+        logged = count;
+      }
+      Map<String, Object> members = FlightState.of(subject, texts);
+      members.putAll(more.get());
+      String state = Json.text(members);
+      unchanged++;
+      if (!state.equals(before) || unchanged >= MOST_UNCHANGED) {
+        send(out, "state", members);
+        before = state;
+        unchanged = 0;
+      }
+    }
+
+    private static void send(OutputStream out, String event, Object data) throws IOException {
+      String text = String.format(Locale.ROOT, "event: %s\ndata: %s\n\n", event, Json.text(data));
+      out.write(text.getBytes(StandardCharsets.UTF_8));
+      out.flush();
+    }
+  }
+}

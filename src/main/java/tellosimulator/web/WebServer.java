@@ -1,0 +1,206 @@
+package tellosimulator.web;
+
+import com.sun.net.httpserver.HttpExchange;
+import com.sun.net.httpserver.HttpServer;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.Semaphore;
+import java.util.stream.Stream;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.ErrorPolicy;
+import tellosimulator.concurrent.Worker;
+import tellosimulator.control.AccessToken;
+import tellosimulator.network.LocalNetworks;
+import tellosimulator.network.PortTakenException;
+
+/**
+ * Serves pages with the JDK's HTTP server. Each request has a thread of its own, so that a slow one
+ * delays no other; there are only so many of them, and the server drops whoever takes too long to
+ * ask or to read. Thread-safe.
+ */
+public final class WebServer implements AutoCloseable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(WebServer.class);
+
+  /** Maximum number of requests at a time. Decided: eight viewers with eight requests each. */
+  private static final int MOST_REQUESTS = 64;
+
+  private static final Map<String, String> TYPES =
+      Map.of("html", "text/html", "js", "text/javascript", "css", "text/css");
+
+  /** What a page may load: only what comes from this server, so that no text can run a script. */
+  private static final String POLICY =
+      "default-src 'self'; base-uri 'none'; form-action 'none'; object-src 'none'";
+
+  private final HttpServer server;
+  private final Site site;
+  private final Access access;
+  private final InetSocketAddress address;
+  private final Semaphore places = new Semaphore(MOST_REQUESTS);
+
+  static {
+    // read once by the JDK's server [s]: who asks or reads more slowly is dropped
+    System.setProperty("sun.net.httpserver.maxReqTime", "10");
+    System.setProperty(
+        "sun.net.httpserver.maxRspTime", Integer.toString(WebRequest.LONGEST_STREAM + 10));
+  }
+
+  /**
+   * Creates a server that answers immediately.
+   *
+   * @param site the pages, which the server closes
+   * @param wanted the address; port 0 lets the system choose
+   * @param option the option that selects another port
+   * @throws PortTakenException if the port cannot be opened
+   */
+  WebServer(Site site, InetSocketAddress wanted, String option) throws PortTakenException {
+    this.site = site;
+    try {
+      server = HttpServer.create(wanted, 0);
+    } catch (IOException e) {
+      throw PortTakenException.taken(wanted, option, e);
+    }
+    address = server.getAddress();
+    access = new Access(address.getPort());
+    server.createContext("/", this::answer);
+    server.setExecutor(this::start);
+    server.start();
+  }
+
+  /** Creates a server of the page of a simulator; see {@link #WebServer}. */
+  public static WebServer of(ScenarioHost host, InetSocketAddress wanted)
+      throws PortTakenException {
+    return new WebServer(new SimulatorSite(host), wanted, "--web");
+  }
+
+  private void start(Runnable request) {
+    if (!places.tryAcquire()) {
+      throw new RejectedExecutionException("too many requests"); // the connection is closed
+    }
+    Worker.start("web", new Task(request));
+  }
+
+  /** A request, which is answered once. */
+  private final class Task implements Agent {
+
+    private static final ErrorPolicy FAILED = ErrorPolicy.finish("A request of a browser failed");
+    private final Runnable request;
+
+    Task(Runnable request) {
+      this.request = request;
+    }
+
+    @Override
+    public Outcome doWork() {
+      request.run();
+      return Outcome.FINISHED;
+    }
+
+    @Override
+    public ErrorPolicy onError(Throwable failure) {
+      return FAILED;
+    }
+
+    @Override
+    public void onClose() {
+      places.release();
+    }
+  }
+
+  int port() {
+    return address.getPort();
+  }
+
+  AccessToken token() {
+    return access.token();
+  }
+
+  /** Returns a line with a link for each address, for which people and scripts wait. */
+  public List<String> lines() {
+    return links().map(link -> "web: " + link + "/?token=" + access.token().text()).toList();
+  }
+
+  /** Returns the addresses of this server, without a path. */
+  Stream<String> links() {
+    Stream<InetAddress> hosts =
+        address.getAddress().isAnyLocalAddress()
+            ? LocalNetworks.look().members().stream().map(LocalNetworks.Member::address)
+            : Stream.of(address.getAddress());
+    return hosts.map(host -> "http://" + host.getHostAddress() + ":" + address.getPort());
+  }
+
+  private void answer(HttpExchange exchange) {
+    WebRequest request = new WebRequest(exchange);
+    try (exchange) {
+      request.header("X-Content-Type-Options", "nosniff");
+      request.header("Referrer-Policy", "no-referrer");
+      request.header("Cache-Control", "no-store");
+      request.header("Content-Security-Policy", POLICY);
+      if (!access.allows(exchange) && !site.admits(exchange)) {
+        request.answer(
+            WebRequest.FORBIDDEN,
+            "Open the link that the simulator has printed: it contains the token.");
+        return;
+      }
+      switch (exchange.getRequestMethod()) {
+        case "GET" -> get(exchange, request);
+        case "POST" -> post(request);
+        default -> request.answer(WebRequest.NOT_ALLOWED, "Only GET and POST are known.");
+      }
+    } catch (IOException e) {
+      LOG.debug("A browser has gone: {}", e.toString()); // pages are closed at any time
+    }
+  }
+
+  private void get(HttpExchange exchange, WebRequest request) throws IOException {
+    String path = request.path();
+    String file = path.isEmpty() ? site.page() : path;
+    String type = TYPES.get(file.substring(file.lastIndexOf('.') + 1));
+    if (type == null) {
+      site.get(request);
+      return;
+    }
+    try (InputStream in = WebServer.class.getResourceAsStream(file)) {
+      if (in == null) {
+        request.answer(WebRequest.NOT_FOUND, "There is no such page.");
+        return;
+      }
+      byte[] bytes = in.readAllBytes();
+      if (access.named(exchange)) {
+        request.header("Set-Cookie", access.cookieHeader());
+      }
+      request.answer(WebRequest.OK, type, file.endsWith(".html") ? filled(bytes, request) : bytes);
+    }
+  }
+
+  /** Returns a page with its texts in the language of the browser. */
+  private byte[] filled(byte[] page, WebRequest request) {
+    WebTexts texts = new WebTexts(request.locale());
+    return texts
+        .filled(new String(page, StandardCharsets.UTF_8), Map.of("token", access.token().text()))
+        .getBytes(StandardCharsets.UTF_8);
+  }
+
+  private void post(WebRequest request) throws IOException {
+    try {
+      site.post(request);
+    } catch (IllegalArgumentException | IllegalStateException | AssertionError e) {
+      String sentence = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
+      request.answer(WebRequest.BAD_REQUEST, sentence);
+    }
+  }
+
+  @Override
+  public void close() {
+    site.close();
+    server.stop(0);
+  }
+}
