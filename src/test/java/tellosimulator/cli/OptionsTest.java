@@ -23,6 +23,7 @@ import tellosimulator.network.Reach;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.Gallery;
+import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Product;
