@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -82,7 +83,7 @@ final class SimulatorSite implements Site {
         case "room" -> viewer(request).sendRoom(request);
         case "film" -> viewer(request).sendFilm(request);
         case "state" -> viewer(request).sendState(request, this::flights);
-        case "gallery" -> request.answer(gallery(new WebTexts(request.locale())));
+        case "gallery" -> request.answer(gallery(request.locale()));
         case "report" -> report(request);
         case "recording.zip" -> recording(request);
         default -> request.answer(WebRequest.NOT_FOUND, "There is no such page.");
@@ -94,16 +95,18 @@ final class SimulatorSite implements Site {
 
   /** Returns the members of the state that are about flights, and not about the scenario. */
   private Map<String, Object> flights() {
-    return Json.object("report", lastFlight().isPresent());
+    return Json.object("report", lastFlight().isPresent(), "demo", pilot.fliesDemo());
   }
 
-  private static List<Map<String, Object>> gallery(WebTexts texts) {
+  private static List<Map<String, Object>> gallery(Locale locale) {
     return Gallery.NAMES.stream()
         .map(
             name -> {
               Description about = Gallery.find(name).orElseThrow().description();
               return Json.object(
-                  "name", name, "title", about.name().in(texts.translation().locale()));
+                  "name", name,
+                  "title", about.name().in(locale),
+                  "teaches", about.teaches().in(locale));
             })
         .toList();
   }
@@ -163,6 +166,7 @@ final class SimulatorSite implements Site {
       case "turn" -> viewer.camera().turn(number(action, "right"), number(action, "down"));
       case "zoom" -> viewer.camera().zoom(number(action, "factor"));
       case "look" -> viewer.look(text(action, "view"));
+      case "follow" -> viewer.camera().follow();
       case "select" -> viewer.select(number(action, "drone"));
       case "fly" -> pilot.send(subject.simulation(), viewer.drone(), text(action, "command"));
       case "demo" ->

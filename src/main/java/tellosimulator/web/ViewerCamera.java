@@ -30,6 +30,9 @@ final class ViewerCamera {
   /** Distance of the camera that chases a drone [m]. Decided: the same as in the window. */
   private static final double CHASE_DISTANCE = 1.35;
 
+  /** Distance of the camera that follows a drone [m]. Decided: shows the drone and its goal. */
+  private static final double FOLLOW_DISTANCE = 3;
+
   /** Rotation across the width of the picture [rad]. Decided: half a turn. */
   private static final double TURN = Math.PI;
 
@@ -39,6 +42,7 @@ final class ViewerCamera {
   private RoomView view = RoomView.START;
   private Orbit orbit = towards(RoomView.START, 1);
   private boolean fitted = true;
+  private boolean following;
 
   private static Orbit towards(RoomView view, double distance) {
     return new Orbit(view.heading(), view.elevation(), distance, Vec3.ZERO);
@@ -47,8 +51,20 @@ final class ViewerCamera {
   /** Looks from one of the views. */
   synchronized void look(RoomView wanted) {
     view = wanted;
+    following = false;
     fitted = wanted != RoomView.CHASE;
     orbit = towards(wanted, CHASE_DISTANCE);
+  }
+
+  /** Follows the drone, or ends that. */
+  synchronized void follow() {
+    if (following || view == RoomView.CHASE) {
+      look(RoomView.START);
+    } else {
+      following = true;
+      fitted = false;
+      orbit = towards(view, FOLLOW_DISTANCE);
+    }
   }
 
   /**
@@ -90,10 +106,10 @@ final class ViewerCamera {
   }
 
   private Pose pose(SimSnapshot snapshot, int drone) {
-    if (view != RoomView.CHASE) {
-      return orbit.pose(Vec3.ZERO);
-    }
     Pose seen = snapshot.drones().get(drone - 1).state().motion().pose();
+    if (view != RoomView.CHASE) {
+      return orbit.pose(following ? seen.position() : Vec3.ZERO);
+    }
     double heading = Frames.wrapped(seen.attitude().heading());
     return orbit.turned(heading, 0).pose(seen.position());
   }

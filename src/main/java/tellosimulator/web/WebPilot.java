@@ -93,8 +93,13 @@ final class WebPilot implements AutoCloseable {
     }
   }
 
+  /** Whether a demo is running. */
+  synchronized boolean fliesDemo() {
+    return demo.filter(flight -> !flight.ended()).isPresent();
+  }
+
   private boolean endDemo() {
-    boolean running = demo.filter(flight -> !flight.ended()).isPresent();
+    boolean running = fliesDemo();
     demo.ifPresent(ScriptedFlight::close);
     demo = Optional.empty();
     return running;

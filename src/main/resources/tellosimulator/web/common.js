@@ -1,0 +1,92 @@
+"use strict";
+
+// What the simulator's page and the teacher's board share.
+
+const token = document.body.dataset.token;
+const language = document.documentElement.lang;
+const viewer = crypto.getRandomValues(new Uint32Array(2)).join("");
+
+const element = (id) => document.getElementById(id);
+
+/** Returns an address of this server; it is relative, because proxies may add a prefix. */
+const address = (path, parameters = {}) =>
+  `${path}?${new URLSearchParams({ token, viewer, language, ...parameters })}`;
+
+/** Returns a text of the page, with %s and %2$s replaced by values. */
+function text(key, ...values) {
+  const template = document.querySelector(`[data-text="${key}"]`).textContent;
+  let next = 0;
+  return template.replace(/%(?:%|(?:(\d)\$)?s)/g, (place, number) =>
+    place === "%%" ? "%" : values[number ? number - 1 : next++]);
+}
+
+/** Creates an element with a text, which is never read as markup. */
+function make(tag, content, className = "") {
+  const made = document.createElement(tag);
+  made.textContent = content;
+  made.className = className;
+  return made;
+}
+
+/** Sets a text, unless it is there already: screen readers read it again. */
+function say(id, content) {
+  if (element(id).textContent !== content) {
+    element(id).textContent = content;
+  }
+}
+
+/** Replaces the entries of a list, unless they are there already: a selection would be lost. */
+function fill(id, entries) {
+  const list = element(id);
+  const before = [...list.children].map((each) => each.outerHTML).join();
+  if (entries.map((each) => each.outerHTML).join() !== before) {
+    list.replaceChildren(...entries);
+  }
+}
+
+/** Posts to the server, and returns the answer; shows a sentence if it is refused. */
+async function post(path, body, parameters = {}) {
+  try {
+    const answer = await fetch(address(path, parameters), { method: "POST", body });
+    say("problem", answer.ok ? "" : await answer.text());
+    return answer.ok;
+  } catch {
+    say("problem", text("gone"));
+    return false;
+  }
+}
+
+const act = (action) => post("do", JSON.stringify(action));
+
+/** Listens to the server's events; `begun` is called each time that the server is back. */
+function listen(handlers, begun) {
+  const events = new EventSource(address("state"));
+  let lost = true;
+  for (const [name, handle] of Object.entries(handlers)) {
+    events.addEventListener(name, (event) => {
+      if (lost) {
+        lost = false;
+        say("problem", "");
+        begun();
+      }
+      handle(JSON.parse(event.data));
+    });
+  }
+  events.onerror = async () => {
+    if (events.readyState === EventSource.CLOSED) {
+      lost = true;
+      const answer = await fetch(address("gallery")).catch(() => null);
+      say("problem", answer && !answer.ok ? await answer.text() : text("gone"));
+      setTimeout(() => listen(handlers, begun), 2000);
+    }
+  };
+}
+
+for (const button of document.querySelectorAll("dialog .close")) {
+  button.addEventListener("click", () => button.closest("dialog").close());
+}
+
+element("language").value = language;
+element("language").addEventListener("change", (event) => {
+  location.search = new URLSearchParams({ token, language: event.target.value });
+});
