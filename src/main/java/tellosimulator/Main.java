@@ -108,7 +108,7 @@ public final class Main {
     Optional<SubcommandName> name = SubcommandName.of(args);
     if (name.isEmpty()) {
       return new Invocation(options.commandLine(new Version()), SubcommandName.words(), output)
-          .run(ScenarioOptions.withFileNamed(args), () -> action(List.of(args)));
+          .run(ScenarioOptions.spelledOut(args), () -> action(List.of(args)));
     }
     Subcommand subcommand = name.get().subcommand();
     return new Invocation(subcommand.commandLine(new Version()), List.of(), output)
@@ -274,13 +274,13 @@ public final class Main {
           .or(() -> kept)
           .or(() -> lent.map(to -> RecordingFolder.keeping(to.path(), RECORDINGS_KEPT)))
           .ifPresent(folder -> simulator.record(folder, words));
+      if (options.web().isPresent()) {
+        simulator.openWeb(options.web().get(), out);
+      }
       simulator.switchOn();
       atEnd(() -> end(simulator, reports, lent));
       if (options.control().isPresent()) {
         simulator.openControl(options.control().get(), out);
-      }
-      if (options.web().isPresent()) {
-        simulator.openWeb(options.web().get(), out);
       }
       simulator.sayReady(out);
       int status = run(simulator);

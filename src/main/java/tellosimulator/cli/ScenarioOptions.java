@@ -2,8 +2,10 @@ package tellosimulator.cli;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import picocli.CommandLine.TypeConversionException;
 import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Gallery;
@@ -76,10 +78,16 @@ public final class ScenarioOptions {
 
   /**
    * Returns the arguments. A single argument that names a scenario file, as after a double click on
-   * the file, is turned into an option.
+   * the file, is turned into an option, and so is the first word {@code web}.
    */
-  public static String[] withFileNamed(String... words) {
-    return words.length == 1 && isFile(words[0]) ? new String[] {SCENARIO, words[0]} : words;
+  public static String[] spelledOut(String... words) {
+    if (words.length == 1 && isFile(words[0])) {
+      return new String[] {SCENARIO, words[0]};
+    }
+    return words.length > 0 && words[0].equals("web")
+        ? Stream.concat(Stream.of("--headless", "--web"), Arrays.stream(words).skip(1))
+            .toArray(String[]::new)
+        : words;
   }
 
   /** Returns whether a word looks like the name of a scenario file. */

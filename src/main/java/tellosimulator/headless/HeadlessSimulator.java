@@ -100,8 +100,8 @@ public final class HeadlessSimulator implements AutoCloseable, ScenarioHost {
   }
 
   /**
-   * Opens the page for browsers and prints its link. Must be called after {@link #switchOn} and
-   * before {@link #sayReady}.
+   * Opens the page for browsers and prints its link. Must be called before {@link #switchOn}, so
+   * that its log is complete.
    *
    * @param address the address; port 0 lets the system choose
    * @throws PortTakenException if the port cannot be opened

@@ -236,7 +236,8 @@ final class Viewer {
     }
 
     private static void send(OutputStream out, String event, Object data) throws IOException {
-      String text = String.format(Locale.ROOT, "event: %s\ndata: %s\n\n", event, Json.text(data));
+      String text =
+          String.format(Locale.ROOT, "retry: 100\nevent: %s\ndata: %s\n\n", event, Json.text(data));
       out.write(text.getBytes(StandardCharsets.UTF_8));
       out.flush();
     }

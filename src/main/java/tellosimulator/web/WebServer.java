@@ -8,6 +8,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.Semaphore;
@@ -38,7 +39,8 @@ public final class WebServer implements AutoCloseable {
 
   /** What a page may load: only what comes from this server, so that no text can run a script. */
   private static final String POLICY =
-      "default-src 'self'; base-uri 'none'; form-action 'none'; object-src 'none'";
+      "default-src 'self'; img-src 'self' data:; base-uri 'none'; form-action 'none';"
+          + " object-src 'none'";
 
   private final HttpServer server;
   private final Site site;
@@ -157,6 +159,8 @@ public final class WebServer implements AutoCloseable {
       }
     } catch (IOException e) {
       LOG.debug("A browser has gone: {}", e.toString()); // pages are closed at any time
+    } catch (RuntimeException e) {
+      LOG.error("A request of a browser failed", e); // the JDK's server would hide it
     }
   }
 
@@ -183,9 +187,11 @@ public final class WebServer implements AutoCloseable {
 
   /** Returns a page with its texts in the language of the browser. */
   private byte[] filled(byte[] page, WebRequest request) {
-    WebTexts texts = new WebTexts(request.locale());
-    return texts
-        .filled(new String(page, StandardCharsets.UTF_8), Map.of("token", access.token().text()))
+    Locale locale = request.locale();
+    Map<String, String> values =
+        Map.of("token", access.token().text(), "language", locale.getLanguage());
+    return new WebTexts(locale)
+        .filled(new String(page, StandardCharsets.UTF_8), values)
         .getBytes(StandardCharsets.UTF_8);
   }
 

@@ -62,12 +62,9 @@ final class WebTexts {
         .matcher(page)
         .replaceAll(
             place -> {
-              String key = place.group(1);
-              String value =
-                  key.equals("language")
-                      ? translation.locale().getLanguage()
-                      : values.getOrDefault(key, "");
-              return Matcher.quoteReplacement(escaped(value.isEmpty() ? text(key) : value));
+              String value = values.get(place.group(1));
+              return Matcher.quoteReplacement(
+                  escaped(value == null ? text(place.group(1)) : value));
             });
   }
 

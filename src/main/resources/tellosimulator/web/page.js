@@ -8,13 +8,16 @@ const film = element("film");
 /** Streams last a minute; the page begins the next one a little earlier [ms]. */
 const STREAM = 55_000;
 
+let shownWidth = 0;
+
 /** Asks for the pictures in the size in which they are shown. */
 function showPictures() {
   if (document.hidden) {
     room.src = film.src = "data:,";
     return;
   }
-  const width = Math.round(room.clientWidth * devicePixelRatio);
+  shownWidth = room.clientWidth;
+  const width = Math.round(shownWidth * devicePixelRatio);
   const height = Math.round((width * 9) / 16);
   const stream = Date.now();
   room.src = address("room", { width, height, stream });
@@ -27,7 +30,9 @@ document.addEventListener("visibilitychange", showPictures);
 let resized = 0;
 new ResizeObserver(() => {
   clearTimeout(resized);
-  resized = setTimeout(showPictures, 300);
+  if (shownWidth && room.clientWidth !== shownWidth) {
+    resized = setTimeout(showPictures, 300);
+  }
 }).observe(room);
 
 // --- the viewer's camera ---
@@ -149,12 +154,12 @@ function link(id, there, parameters, path = id) {
   }
 }
 
-const FACTORS = ["0.25", "0.5", "1", "2", "5", "10", "max"];
+const FACTORS = ["0.25", "0.5", "1.0", "2.0", "5.0", "10.0", "max"];
 
 function offerFactor(factor) {
   const offered = FACTORS.includes(factor) ? FACTORS : [...FACTORS, factor];
   fill("factor", offered.map((each) => {
-    const option = make("option", each === "max" ? text("max") : `${each} ×`);
+    const option = make("option", each === "max" ? text("max") : `${Number(each)} ×`);
     option.value = each;
     return option;
   }));
@@ -163,7 +168,7 @@ function offerFactor(factor) {
 
 function showGoals(goals) {
   element("goals").hidden = goals.tasks.length === 0;
-  say("teaches", state.teaches ?? "");
+  say("teaches", state.teaches ? text("learn", state.teaches) : "");
   const banner = {
     reached: () => text("reached"),
     failed: () => text("failed", goals.why),
@@ -204,9 +209,10 @@ function showDrone(shown) {
 
 function showCommand(last) {
   if (!last) {
+    say("last", "");
     return;
   }
-  const reply = last.reply ?? (last.outcome === "running" ? "…" : text("no-answer"));
+  const reply = last.reply || (last.outcome === "running" ? "…" : text("no-answer"));
   const why = last.reason ? ` – ${last.reason}` : "";
   const whose = state.drones.length > 1 ? `${text("drone-number", last.drone)}: ` : "";
   say("last", `${whose}${last.text} → ${reply}${why}`);
