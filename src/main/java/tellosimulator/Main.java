@@ -49,6 +49,7 @@ import tellosimulator.view.replay.ReplayFlight;
 import tellosimulator.view.settings.DataFolder;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
+import tellosimulator.web.BoardReporter;
 
 /** The entry point: parses the options, then runs the simulator or a {@link Subcommand}. */
 public final class Main {
@@ -63,6 +64,9 @@ public final class Main {
   private final PrintStream out;
   private final PrintStream err;
   private final ProgramOutput output;
+
+  /** Reports to the teacher's board, if the options say so. */
+  private volatile Optional<BoardReporter> reporter = Optional.empty();
 
   private boolean scorePrinted;
 
@@ -203,6 +207,7 @@ public final class Main {
         app.switchAllOn();
         out.println(app.ready());
       }
+      reporter = options.board().report(app.host());
       if (!options.choosesRoom()) {
         app.beginWithGallery();
       }
@@ -213,6 +218,7 @@ public final class Main {
 
   /** Closes the window's simulator and writes the result; also called when asked to end. */
   private boolean end(SimulatorApp app) {
+    reporter.ifPresent(BoardReporter::close);
     app.close();
     return writeResult(app::result);
   }
@@ -282,6 +288,7 @@ public final class Main {
       if (options.control().isPresent()) {
         simulator.openControl(options.control().get(), out);
       }
+      reporter = options.board().report(simulator);
       simulator.sayReady(out);
       int status = run(simulator);
       return end(simulator, reports, lent) || status != ExitCode.DONE ? status : ExitCode.FAILED;
@@ -301,6 +308,7 @@ public final class Main {
       HeadlessSimulator simulator,
       Optional<FlightReports> reports,
       Optional<TemporaryFolder> lent) {
+    reporter.ifPresent(BoardReporter::close);
     simulator.close();
     lent.ifPresent(TemporaryFolder::close);
     printScore(simulator);

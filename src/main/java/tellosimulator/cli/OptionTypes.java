@@ -3,6 +3,7 @@ package tellosimulator.cli;
 import java.math.BigDecimal;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.URI;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -50,6 +51,14 @@ final class OptionTypes {
 
   static Integer portOrFree(String word) {
     return wholeNumber(word, 0, AddressPlan.HIGHEST_PORT, PORT + ", or 0 for a free one");
+  }
+
+  /** Parses the address of a board, which has the token of the class. */
+  static URI boardAddress(String word) {
+    if (!word.matches("https?://[^/?#\\s]+(/[^?#\\s]*)?\\?class=[0-9a-f]+")) {
+      throw diagnostic("the address that the board has printed, http://…/?class=…", word);
+    }
+    return URI.create(word);
   }
 
   static OptionalInt replyPort(String word) {

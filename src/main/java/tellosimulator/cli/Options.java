@@ -139,6 +139,8 @@ public final class Options {
           .orAlone(WEB_PORT)
           .readIfGiven(OptionTypes::portOrFree);
 
+  private final BoardOptions board = new BoardOptions(optionList);
+
   private final OptionValue<Long> seed =
       optionList
           .option(
@@ -249,6 +251,11 @@ public final class Options {
     return web.value().map(network::webAddress);
   }
 
+  /** Returns the options for the teacher's board. */
+  public BoardOptions board() {
+    return board;
+  }
+
   public boolean exitWhenDone() {
     return scenarioOptions.endsByItself().isPresent();
   }
@@ -287,6 +294,7 @@ public final class Options {
       throw new IllegalArgumentException(
           CONTROL + " does not go with " + WEB + ", whose pages open other scenarios");
     }
+    board.check();
     ScenarioOptions.checkPictures(scenario.config().arena());
     recordingOptions.check(headless(), inputs(scenario));
     return opened().map(read -> read.with(scenario)).orElseGet(() -> OpenedScenario.once(scenario));

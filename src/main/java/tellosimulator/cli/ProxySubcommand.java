@@ -1,23 +1,15 @@
 package tellosimulator.cli;
 
-import java.io.BufferedReader;
-import java.io.IOException;
-import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.nio.charset.Charset;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
-import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.ErrorPolicy;
-import tellosimulator.concurrent.Worker;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.LocalNetworks;
 import tellosimulator.network.PortTakenException;
@@ -129,7 +121,7 @@ final class ProxySubcommand implements Subcommand {
       to.out().println(proxy.ready());
       to.out().println(passing(plan, recordings));
       to.out().flush();
-      awaitQuit(to.input());
+      to.input().awaitQuit();
     } finally {
       end.run();
     }
@@ -179,33 +171,5 @@ final class ProxySubcommand implements Subcommand {
         plan.towardsOperator().statePort(),
         plan.towardsOperator().videoPort(),
         recordings);
-  }
-
-  /** Waits until {@code quit} is typed. If the input ends without it, waits forever. */
-  private static void awaitQuit(ProgramInput input) throws InterruptedException {
-    CountDownLatch quit = new CountDownLatch(1);
-    BufferedReader typed =
-        new BufferedReader(new InputStreamReader(input.in(), Charset.defaultCharset()));
-    Worker.start(
-        "console",
-        new Agent() {
-          private final ErrorPolicy unreadable =
-              ErrorPolicy.finish("Standard input cannot be read any more");
-
-          @Override
-          public Outcome doWork() throws IOException {
-            String line = typed.readLine();
-            if (line != null && line.strip().equals("quit")) {
-              quit.countDown();
-            }
-            return line == null ? Outcome.FINISHED : Outcome.WORKED;
-          }
-
-          @Override
-          public ErrorPolicy onError(Throwable failure) {
-            return unreadable;
-          }
-        });
-    quit.await();
   }
 }

@@ -19,7 +19,8 @@ public enum SubcommandName {
   CHECK("says what is wrong with scenario files", CheckSubcommand::new),
   GENERATE("writes a scenario that is drawn from a seed", GenerateSubcommand::new),
   RUN("flies an unchanged program where the drone is 192.168.10.1", RunSubcommand::new),
-  GRADE("flies and grades the programs of a class", GradeSubcommand::new);
+  GRADE("flies and grades the programs of a class", GradeSubcommand::new),
+  BOARD("shows the simulators of a class on one page", BoardSubcommand::new);
 
   private final String does;
   private final Supplier<Subcommand> subcommand;

@@ -107,7 +107,7 @@ public final class HeadlessSimulator implements AutoCloseable, ScenarioHost {
    * @throws PortTakenException if the port cannot be opened
    */
   public void openWeb(InetSocketAddress address, PrintStream out) throws PortTakenException {
-    subject = session.subject(1, rules.cameras);
+    current(); // listens from now on
     WebServer server = WebServer.of(this, address);
     web = Optional.of(server);
     server.lines().forEach(out::println);
@@ -115,6 +115,14 @@ public final class HeadlessSimulator implements AutoCloseable, ScenarioHost {
 
   @Override
   public WebSubject current() {
+    WebSubject known = subject;
+    return known == null ? firstSubject() : known;
+  }
+
+  private synchronized WebSubject firstSubject() {
+    if (subject == null) {
+      subject = session.subject(1, rules.cameras);
+    }
     return subject;
   }
 

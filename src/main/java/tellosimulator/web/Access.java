@@ -2,6 +2,7 @@ package tellosimulator.web;
 
 import com.sun.net.httpserver.Headers;
 import com.sun.net.httpserver.HttpExchange;
+import java.net.InetAddress;
 import java.net.URI;
 import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
@@ -9,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import tellosimulator.control.AccessToken;
+import tellosimulator.network.LocalNetworks;
 
 /**
  * Decides who may use the pages. A request needs the token, either in its address or in a cookie.
@@ -45,8 +47,16 @@ final class Access {
   boolean allows(HttpExchange request) {
     Headers headers = request.getRequestHeaders();
     boolean reads = request.getRequestMethod().equals("GET");
-    return isSameOrigin(headers)
+    return isNeighbor(request)
+        && isSameOrigin(headers)
         && (named(request) || (reads && isOwnHost(headers) && carriesCookie(headers)));
+  }
+
+  /** Whether a request comes from this machine or the local network, as for drones. */
+  static boolean isNeighbor(HttpExchange request) {
+    InetAddress own = request.getLocalAddress().getAddress();
+    InetAddress sender = request.getRemoteAddress().getAddress();
+    return own.isLoopbackAddress() || LocalNetworks.look().neighbors(own, sender);
   }
 
   /** Returns the header that makes a browser send the token from now on. */

@@ -10,11 +10,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalLong;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import tellosimulator.json.Json;
-import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
@@ -22,12 +20,6 @@ import tellosimulator.report.FlightReport;
 import tellosimulator.report.ReportTexts;
 import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Gallery;
-import tellosimulator.scenario.OpenedScenario;
-import tellosimulator.scenario.Scenario;
-import tellosimulator.scenario.ScenarioException;
-import tellosimulator.sim.Control;
-import tellosimulator.sim.SimConfig;
-import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.ColorSpace;
 import tellosimulator.video.camera.RenderCache;
 
@@ -40,11 +32,13 @@ final class SimulatorSite implements Site {
   private final ScenarioHost host;
   private final RenderCache cache = new RenderCache(ColorSpace.RGB);
   private final Map<String, Viewer> viewers = new HashMap<>();
+  private final Actions actions;
   private final WebPilot pilot = new WebPilot();
   private boolean closed;
 
   SimulatorSite(ScenarioHost host) {
     this.host = host;
+    actions = new Actions(host);
   }
 
   @Override
@@ -149,7 +143,8 @@ final class SimulatorSite implements Site {
   @Override
   public void post(WebRequest request) throws IOException {
     if (request.path().equals("scenario")) {
-      open(uploaded(request), OptionalLong.empty(), request);
+      String name = request.parameter("name").orElse("scenario.yaml");
+      actions.open(name, request.body(), new WebTexts(request.locale()));
       request.answer(Map.of());
     } else if (request.path().equals("do")) {
       request.answer(carryOut(request));
@@ -163,85 +158,21 @@ final class SimulatorSite implements Site {
     Viewer viewer = viewer(request);
     WebSubject subject = host.current();
     switch (String.valueOf(action.get("do"))) {
-      case "turn" -> viewer.camera().turn(number(action, "right"), number(action, "down"));
-      case "zoom" -> viewer.camera().zoom(number(action, "factor"));
-      case "look" -> viewer.look(text(action, "view"));
+      case "turn" ->
+          viewer.camera().turn(Actions.number(action, "right"), Actions.number(action, "down"));
+      case "zoom" -> viewer.camera().zoom(Actions.number(action, "factor"));
+      case "look" -> viewer.look(Actions.text(action, "view"));
       case "follow" -> viewer.camera().follow();
-      case "select" -> viewer.select(number(action, "drone"));
-      case "fly" -> pilot.send(subject.simulation(), viewer.drone(), text(action, "command"));
+      case "select" -> viewer.select(Actions.number(action, "drone"));
+      case "fly" ->
+          pilot.send(subject.simulation(), viewer.drone(), Actions.text(action, "command"));
       case "demo" ->
           pilot.demo(subject.simulation(), subject.goals().progress().challenge(), viewer.drone());
-      case "open" -> open(known(text(action, "scenario")), OptionalLong.empty(), request);
-      case "course" -> {
-        OpenedScenario opened = subject.opened();
-        long next = opened.scenario().config().seed() + 1;
-        open(opened, OptionalLong.of(next), request);
-      }
-      case "pause" -> control(new Control.Pause(Boolean.TRUE.equals(action.get("on"))));
-      case "time-factor" -> control(new Control.SetTimeFactor(factor(text(action, "factor"))));
       default -> {
-        return subject.requests().result(action);
+        return actions.carryOut(action, new WebTexts(request.locale()));
       }
     }
     return Map.of();
-  }
-
-  private void control(Control control) {
-    try {
-      host.current().simulation().carryOut(control);
-    } catch (PortTakenException e) {
-      throw new IllegalStateException(e.getMessage(), e);
-    }
-  }
-
-  private static TimeFactor factor(String word) {
-    return word.equals(TimeFactor.MAX.toString())
-        ? TimeFactor.MAX
-        : new TimeFactor(Double.parseDouble(word));
-  }
-
-  private static OpenedScenario known(String name) {
-    return name.isEmpty()
-        ? OpenedScenario.once(Scenario.of(SimConfig.DEFAULT))
-        : Gallery.open(name)
-            .map(document -> OpenedScenario.known(document, name))
-            .orElseThrow(() -> new IllegalArgumentException("there is no such scenario"));
-  }
-
-  private static OpenedScenario uploaded(WebRequest request) throws IOException {
-    String name = request.parameter("name").orElse("scenario.yaml");
-    try {
-      return OpenedScenario.received(name, request.body());
-    } catch (ScenarioException e) {
-      throw complaint(e, request);
-    }
-  }
-
-  private void open(OpenedScenario chosen, OptionalLong seed, WebRequest request) {
-    try {
-      host.open(chosen, seed);
-    } catch (ScenarioException e) {
-      throw complaint(e, request);
-    } catch (PortTakenException e) {
-      throw new IllegalStateException(e.getMessage(), e);
-    }
-  }
-
-  private static IllegalArgumentException complaint(ScenarioException e, WebRequest request) {
-    WebTexts texts = new WebTexts(request.locale());
-    return new IllegalArgumentException(e.diagnostics().get(0).in(texts.translation()), e);
-  }
-
-  private static String text(Map<String, Object> action, String name) {
-    return String.valueOf(action.getOrDefault(name, ""));
-  }
-
-  private static double number(Map<String, Object> action, String name) {
-    return Optional.ofNullable(action.get(name))
-        .filter(Number.class::isInstance)
-        .map(value -> ((Number) value).doubleValue())
-        .filter(Double::isFinite)
-        .orElseThrow(() -> new IllegalArgumentException(name + " must be a number"));
   }
 
   @Override

@@ -2,6 +2,7 @@ package tellosimulator.web;
 
 import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
+import java.util.stream.Stream;
 
 /** The pages of a {@link WebServer}. Thread-safe: each request has a thread of its own. */
 interface Site extends AutoCloseable {
@@ -9,6 +10,11 @@ interface Site extends AutoCloseable {
   /** Whether a request may be answered although it lacks the token of the pages. */
   default boolean admits(HttpExchange request) {
     return false;
+  }
+
+  /** Returns lines with more links, for which people and scripts wait. */
+  default Stream<String> lines(String link) {
+    return Stream.of();
   }
 
   /** Returns the name of the resource with the first page. */

@@ -5,7 +5,6 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.HashSet;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -216,7 +215,7 @@ final class Viewer {
     public void write(OutputStream out) throws IOException {
       long count = subject.log().count();
       if (count > logged || before.isEmpty()) {
-        send(
+        WebRequest.sendEvent(
             out,
             before.isEmpty() ? "begin" : "log",
             subject.log().after(logged).stream()
@@ -229,17 +228,10 @@ final class Viewer {
       String state = Json.text(members);
       unchanged++;
       if (!state.equals(before) || unchanged >= MOST_UNCHANGED) {
-        send(out, "state", members);
+        WebRequest.sendEvent(out, "state", members);
         before = state;
         unchanged = 0;
       }
-    }
-
-    private static void send(OutputStream out, String event, Object data) throws IOException {
-      String text =
-          String.format(Locale.ROOT, "retry: 100\nevent: %s\ndata: %s\n\n", event, Json.text(data));
-      out.write(text.getBytes(StandardCharsets.UTF_8));
-      out.flush();
     }
   }
 }

@@ -56,6 +56,11 @@ final class WebRequest {
     String wanted =
         parameter("language")
             .orElseGet(() -> Access.first(exchange.getRequestHeaders(), "Accept-Language"));
+    return offered(wanted);
+  }
+
+  /** Returns the first of some languages that is offered, or else English. */
+  static Locale offered(String wanted) {
     return Arrays.stream(wanted.split("[,;]"))
         .map(tag -> Locale.forLanguageTag(tag.strip()).getLanguage())
         .map(Locale::forLanguageTag)
@@ -111,6 +116,14 @@ final class WebRequest {
   /** Sets a header of the answer; without a value, removes it. */
   void header(String name, String... value) {
     exchange.getResponseHeaders().put(name, List.of(value));
+  }
+
+  /** Writes a server-sent event. */
+  static void sendEvent(OutputStream out, String event, Object data) throws IOException {
+    String text =
+        String.format(Locale.ROOT, "retry: 100\nevent: %s\ndata: %s\n\n", event, Json.text(data));
+    out.write(text.getBytes(StandardCharsets.UTF_8));
+    out.flush();
   }
 
   /** What a stream writes at one tick. */

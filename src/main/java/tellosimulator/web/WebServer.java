@@ -83,6 +83,11 @@ public final class WebServer implements AutoCloseable {
     return new WebServer(new SimulatorSite(host), wanted, "--web");
   }
 
+  /** Creates a server of the teacher's board; see {@link #WebServer}. */
+  public static WebServer board(InetSocketAddress wanted) throws PortTakenException {
+    return new WebServer(new BoardSite(), wanted, "--port");
+  }
+
   private void start(Runnable request) {
     if (!places.tryAcquire()) {
       throw new RejectedExecutionException("too many requests"); // the connection is closed
@@ -127,7 +132,13 @@ public final class WebServer implements AutoCloseable {
 
   /** Returns a line with a link for each address, for which people and scripts wait. */
   public List<String> lines() {
-    return links().map(link -> "web: " + link + "/?token=" + access.token().text()).toList();
+    return links()
+        .flatMap(
+            link ->
+                Stream.concat(
+                    Stream.of("web: " + link + "/?token=" + access.token().text()),
+                    site.lines(link)))
+        .toList();
   }
 
   /** Returns the addresses of this server, without a path. */
@@ -149,7 +160,7 @@ public final class WebServer implements AutoCloseable {
       if (!access.allows(exchange) && !site.admits(exchange)) {
         request.answer(
             WebRequest.FORBIDDEN,
-            "Open the link that the simulator has printed: it contains the token.");
+            "Open the link that the program has printed: it contains the token.");
         return;
       }
       switch (exchange.getRequestMethod()) {

@@ -75,7 +75,7 @@ function listen(handlers, begun) {
   events.onerror = async () => {
     if (events.readyState === EventSource.CLOSED) {
       lost = true;
-      const answer = await fetch(address("gallery")).catch(() => null);
+      const answer = await fetch(address("state")).catch(() => null);
       say("problem", answer && !answer.ok ? await answer.text() : text("gone"));
       setTimeout(() => listen(handlers, begun), 2000);
     }

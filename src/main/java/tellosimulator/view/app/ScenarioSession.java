@@ -6,10 +6,12 @@ import java.util.OptionalInt;
 import javafx.application.Platform;
 import javafx.stage.Stage;
 import javafx.util.Subscription;
+import tellosimulator.control.Requests;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.GoalEvent;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
+import tellosimulator.junit.TelloSimulator;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.recording.FlightRecorder;
@@ -21,6 +23,7 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioDocument;
 import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.sim.LogLimiter;
+import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.layout.WindowState.Flag;
@@ -34,6 +37,7 @@ import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
+import tellosimulator.web.WebSubject;
 
 /**
  * A scenario that is being flown, with its simulation, its drones' video, and the content of the
@@ -61,6 +65,7 @@ final class ScenarioSession implements AutoCloseable {
   record Frame(Stage stage, Language language, WindowState state, Settings settings) {}
 
   private EditedScenario edited;
+  private final DroneOptics optics;
   private final LogQueue logQueue;
   private final GoalWatch goals;
   private final OnlineSimulation simulation;
@@ -76,6 +81,7 @@ final class ScenarioSession implements AutoCloseable {
   /** Starts the simulation with all drones off. */
   ScenarioSession(EditedScenario edited, Wire wire, DroneOptics optics, LogQueue logQueue) {
     this.edited = edited;
+    this.optics = optics;
     this.logQueue = logQueue;
     Scenario scenario = edited.present();
     recordings = wire.recordings();
@@ -102,6 +108,18 @@ final class ScenarioSession implements AutoCloseable {
 
   OnlineSimulation simulation() {
     return simulation;
+  }
+
+  /** Returns this session as the teacher's board sees it; see {@link WebSubject}. */
+  WebSubject webSubject(int number) {
+    return WebSubject.of(
+        number,
+        opened(),
+        simulation,
+        goals,
+        video.streams(),
+        new SoftwareCameras(optics).scenes(),
+        new Requests(TelloSimulator.of(simulation, edited.present(), goals)));
   }
 
   OpenedScenario opened() {

@@ -49,6 +49,7 @@ import tellosimulator.view.replay.ReplayWindow.Appearance;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
 import tellosimulator.view.text.Language;
+import tellosimulator.web.ScenarioHost;
 import tellosimulator.world.Arena;
 
 /** The simulator program with a window, in which scenarios can be opened one after another. */
@@ -160,6 +161,12 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
    */
   public boolean run(Settings settings, WindowState state) throws InterruptedException {
     return Toolkit.run(stage -> show(stage, settings, state));
+  }
+
+  /** Returns the window's scenarios, for the teacher's board. */
+  public ScenarioHost host() {
+    return new WindowHost(
+        () -> running, (chosen, seed) -> unlessLost(() -> replaceBy(chosen, seed)));
   }
 
   /** Makes the window open with the gallery if there are no settings from an earlier start. */
