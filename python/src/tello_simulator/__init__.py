@@ -5,6 +5,7 @@ this package gives a fresh one to each test. `tello-simulator` starts the progra
 """
 
 from ._control import SimulatorError
+from ._notebook import NotebookFlight, notebook
 from ._simulator import Drone, Simulator, write_report
 from ._values import Goals, JournalEntry, Position, Reply, Score, ScoreEntry, Touch, Truth
 
@@ -12,6 +13,7 @@ __all__ = [
     "Drone",
     "Goals",
     "JournalEntry",
+    "NotebookFlight",
     "Position",
     "Reply",
     "Score",
@@ -20,5 +22,6 @@ __all__ = [
     "SimulatorError",
     "Touch",
     "Truth",
+    "notebook",
     "write_report",
 ]

@@ -169,6 +169,8 @@ class Simulator:
         self._process = _Process([*arguments, *options])
         try:
             self._channel = self._process.connect()
+            #: The link to the page in a browser; None without the option --web.
+            self.page = self._process.page
             self.drones: tuple[Drone, ...] = tuple(
                 Drone(
                     self._channel,
@@ -259,6 +261,7 @@ class _Process:
 
     def __init__(self, arguments: list[str]) -> None:
         command = _java.command(arguments)
+        self.page: Optional[str] = None
         self._drain: Optional[threading.Thread] = None
         self._errors: IO[bytes] = tempfile.TemporaryFile()
         self._process = subprocess.Popen(
@@ -276,6 +279,8 @@ class _Process:
         assert self._process.stdout is not None
         for line in self._process.stdout:
             control = control or _CONTROL_LINE.fullmatch(line)
+            if line.startswith("web: "):
+                self.page = line.removeprefix("web: ").strip()
             if line.startswith("ready") and control:
                 # What else it prints must be read, or the simulator would wait.
                 self._drain = threading.Thread(target=self._process.stdout.read, daemon=True)

@@ -290,10 +290,6 @@ public final class Options {
     }
     checkServer(CONTROL, control().isPresent(), end);
     checkServer(WEB, web().isPresent(), end);
-    if (control().isPresent() && web().isPresent()) {
-      throw new IllegalArgumentException(
-          CONTROL + " does not go with " + WEB + ", whose pages open other scenarios");
-    }
     board.check();
     ScenarioOptions.checkPictures(scenario.config().arena());
     recordingOptions.check(headless(), inputs(scenario));

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.json.Json;
@@ -33,7 +34,7 @@ final class ControlConnection implements Agent {
   private final Socket socket;
   private final InputStream in;
   private final AccessToken token;
-  private final Requests requests;
+  private final Supplier<Requests> requests;
   private final Consumer<ControlConnection> ended;
 
   /**
@@ -42,7 +43,10 @@ final class ControlConnection implements Agent {
    * @param ended called when the connection has ended
    */
   ControlConnection(
-      Socket socket, AccessToken token, Requests requests, Consumer<ControlConnection> ended)
+      Socket socket,
+      AccessToken token,
+      Supplier<Requests> requests,
+      Consumer<ControlConnection> ended)
       throws IOException {
     this.socket = socket;
     this.in = new BufferedInputStream(socket.getInputStream());
@@ -99,7 +103,7 @@ final class ControlConnection implements Agent {
       return Outcome.FINISHED;
     }
     try {
-      accept(id, requests.result(request));
+      accept(id, requests.get().result(request));
     } catch (IllegalArgumentException | IllegalStateException | AssertionError e) {
       refuse(socket, id, e.getMessage().lines().findFirst().orElse("it cannot be done"));
     } catch (RuntimeException e) {

@@ -7,6 +7,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
@@ -31,17 +32,18 @@ public final class ControlServer implements AutoCloseable {
 
   private final AccessToken token = AccessToken.create();
 
-  private final Requests requests;
+  private final Supplier<Requests> requests;
   private final Set<ControlConnection> connections = ConcurrentHashMap.newKeySet();
   private final Worker acceptor;
 
   /**
    * Creates a server that listens immediately.
    *
+   * @param requests returns what can be asked of the present scenario
    * @param port the port; 0 lets the system choose
    * @throws PortTakenException if the port cannot be opened
    */
-  public ControlServer(Requests requests, int port) throws PortTakenException {
+  public ControlServer(Supplier<Requests> requests, int port) throws PortTakenException {
     this.requests = requests;
     InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
     try {

@@ -94,7 +94,7 @@ public final class HeadlessSimulator implements AutoCloseable, ScenarioHost {
    * @throws PortTakenException if the port cannot be opened
    */
   public void openControl(int port, PrintStream out) throws PortTakenException {
-    ControlServer server = new ControlServer(session.requests(), port);
+    ControlServer server = new ControlServer(() -> current().requests(), port);
     control = Optional.of(server);
     out.println(server.line());
   }

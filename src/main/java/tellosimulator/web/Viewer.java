@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.HashSet;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import tellosimulator.json.Json;
 import tellosimulator.scenery.orbit.RoomView;
@@ -39,7 +39,7 @@ final class Viewer {
   private final ViewerCamera camera = new ViewerCamera();
 
   /** The newest stream of each kind. */
-  private final Set<Object> streams = new HashSet<>();
+  private final Map<String, WebRequest.Part> streams = new ConcurrentHashMap<>();
 
   private volatile int drone = 1;
   private volatile boolean closed;
@@ -55,7 +55,7 @@ final class Viewer {
   }
 
   /** Whether no stream is open. */
-  synchronized boolean idle() {
+  boolean idle() {
     return streams.isEmpty();
   }
 
@@ -100,7 +100,7 @@ final class Viewer {
     int height = size(request, "height", HEIGHT);
     WebSubject shown = subject.get();
     try (RoomPictures pictures = new RoomPictures(shown, cache, width, height)) {
-      sendPictures(request, shown, () -> pictures.next(camera, drone()));
+      sendPictures(request, "room", shown, () -> pictures.next(camera, drone()));
     }
   }
 
@@ -117,70 +117,58 @@ final class Viewer {
   void sendFilm(WebRequest request) throws IOException {
     WebSubject shown = subject.get();
     try (FilmPictures pictures = new FilmPictures(shown.video().stream(drone()))) {
-      sendPictures(request, shown, pictures::next);
+      sendPictures(request, "film", shown, pictures::next);
     }
   }
 
   private void sendPictures(
-      WebRequest request, WebSubject shown, Supplier<Optional<byte[]>> pictures)
+      WebRequest request, String kind, WebSubject shown, Supplier<Optional<byte[]>> pictures)
       throws IOException {
-    request.header("X-Content-Type-Options"); // with nosniff, browsers show nothing
     stream(
         request,
+        kind,
         "multipart/x-mixed-replace; boundary=" + BOUNDARY,
         PICTURE_PERIOD,
         shown,
-        new Pictures(pictures));
+        out -> {
+          Optional<byte[]> picture = pictures.get();
+          if (picture.isPresent()) {
+            send(out, picture.get());
+          }
+        });
   }
 
+  private static void send(OutputStream out, byte[] picture) throws IOException {
+    String head =
+        String.format(
+            Locale.ROOT,
+            "--%s\r\nContent-Type: image/jpeg\r\nContent-Length: %d\r\n\r\n",
+            BOUNDARY,
+            picture.length);
+    out.write(head.getBytes(StandardCharsets.US_ASCII));
+    out.write(picture);
+    out.write("\r\n".getBytes(StandardCharsets.US_ASCII));
+    out.flush();
+  }
+
+  /** Sends a stream, which ends the viewer's earlier stream of that kind. */
   private void stream(
-      WebRequest request, String type, long period, WebSubject shown, WebRequest.Part part)
+      WebRequest request,
+      String kind,
+      String type,
+      long period,
+      WebSubject shown,
+      WebRequest.Part part)
       throws IOException {
-    synchronized (this) {
-      streams.add(part);
-    }
+    streams.put(kind, part);
     try {
-      request.stream(type, period, () -> !closed && subject.get().number() == shown.number(), part);
+      request.stream(
+          type,
+          period,
+          () -> !closed && streams.get(kind) == part && subject.get().number() == shown.number(),
+          part);
     } finally {
-      synchronized (this) {
-        streams.remove(part);
-      }
-    }
-  }
-
-  /** JPEG files, each of which replaces the one before in the browser. */
-  private static final class Pictures implements WebRequest.Part {
-
-    private final Supplier<Optional<byte[]>> pictures;
-    private Optional<byte[]> last = Optional.empty();
-    private boolean begun;
-
-    Pictures(Supplier<Optional<byte[]>> pictures) {
-      this.pictures = pictures;
-    }
-
-    @Override
-    public void write(OutputStream out) throws IOException {
-      if (!begun) {
-        out.write(("--" + BOUNDARY + "\r\n").getBytes(StandardCharsets.US_ASCII));
-        begun = true;
-      }
-      Optional<byte[]> picture = pictures.get();
-      if (picture.isPresent()) {
-        write(out, picture.get());
-      } else if (last.isPresent()) { // browsers show a picture when the next one begins
-        write(out, last.get());
-      }
-      last = picture;
-    }
-
-    /** Writes a picture, and the boundary behind it, so that the browser shows it at once. */
-    private static void write(OutputStream out, byte[] picture) throws IOException {
-      String head = "Content-Type: image/jpeg\r\nContent-Length: " + picture.length + "\r\n\r\n";
-      out.write(head.getBytes(StandardCharsets.US_ASCII));
-      out.write(picture);
-      out.write(("\r\n--" + BOUNDARY + "\r\n").getBytes(StandardCharsets.US_ASCII));
-      out.flush();
+      streams.remove(kind, part);
     }
   }
 
@@ -189,6 +177,7 @@ final class Viewer {
     WebSubject shown = subject.get();
     stream(
         request,
+        "state",
         "text/event-stream",
         STATE_PERIOD,
         shown,

@@ -39,7 +39,7 @@ public final class WebServer implements AutoCloseable {
 
   /** What a page may load: only what comes from this server, so that no text can run a script. */
   private static final String POLICY =
-      "default-src 'self'; img-src 'self' data:; base-uri 'none'; form-action 'none';"
+      "default-src 'self'; img-src 'self' data: blob:; base-uri 'none'; form-action 'none';"
           + " object-src 'none'";
 
   private final HttpServer server;
@@ -157,7 +157,7 @@ public final class WebServer implements AutoCloseable {
       request.header("Referrer-Policy", "no-referrer");
       request.header("Cache-Control", "no-store");
       request.header("Content-Security-Policy", POLICY);
-      if (!access.allows(exchange) && !site.admits(exchange)) {
+      if (!access.allows(exchange) && !site.admits(exchange) && !isDesign(exchange)) {
         request.answer(
             WebRequest.FORBIDDEN,
             "Open the link that the program has printed: it contains the token.");
@@ -173,6 +173,15 @@ public final class WebServer implements AutoCloseable {
     } catch (RuntimeException e) {
       LOG.error("A request of a browser failed", e); // the JDK's server would hide it
     }
+  }
+
+  /**
+   * Whether a request is for a script or a style sheet. They are no secrets, and frames in pages of
+   * other hosts, such as notebooks, load them without the cookie.
+   */
+  private static boolean isDesign(HttpExchange exchange) {
+    return exchange.getRequestMethod().equals("GET")
+        && exchange.getRequestURI().getPath().matches(".*\\.(css|js)");
   }
 
   private void get(HttpExchange exchange, WebRequest request) throws IOException {

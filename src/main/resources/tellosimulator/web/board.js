@@ -67,7 +67,7 @@ function showState({ seats, ranking }) {
   element("empty").hidden = seats.length > 0;
 }
 
-listen({ state: showState }, () => {});
+listen({ state: showState });
 
 for (const button of document.querySelectorAll("[data-do]")) {
   button.addEventListener("click", () => {

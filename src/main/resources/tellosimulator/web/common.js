@@ -4,7 +4,9 @@
 
 const token = document.body.dataset.token;
 const language = document.documentElement.lang;
-const viewer = crypto.getRandomValues(new Uint32Array(2)).join("");
+
+/** Names this tab, so that a page that is loaded again keeps its camera. */
+const viewer = sessionStorage.viewer ??= crypto.getRandomValues(new Uint32Array(2)).join("");
 
 const element = (id) => document.getElementById(id);
 
@@ -58,29 +60,28 @@ async function post(path, body, parameters = {}) {
 
 const act = (action) => post("do", JSON.stringify(action));
 
-/** Listens to the server's events; `begun` is called each time that the server is back. */
-function listen(handlers, begun) {
+/** Listens to the server's events, and asks again if it is away. */
+function listen(handlers) {
   const events = new EventSource(address("state"));
-  let lost = true;
   for (const [name, handle] of Object.entries(handlers)) {
     events.addEventListener(name, (event) => {
-      if (lost) {
-        lost = false;
+      if (away) {
+        away = false;
         say("problem", "");
-        begun();
       }
       handle(JSON.parse(event.data));
     });
   }
-  events.onerror = async () => {
+  events.onerror = () => {
     if (events.readyState === EventSource.CLOSED) {
-      lost = true;
-      const answer = await fetch(address("state")).catch(() => null);
-      say("problem", answer && !answer.ok ? await answer.text() : text("gone"));
-      setTimeout(() => listen(handlers, begun), 2000);
+      away = true;
+      say("problem", text("gone"));
+      setTimeout(() => listen(handlers), 2000);
     }
   };
 }
+
+let away = false;
 
 for (const button of document.querySelectorAll("dialog .close")) {
   button.addEventListener("click", () => button.closest("dialog").close());

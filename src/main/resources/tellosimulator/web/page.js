@@ -5,32 +5,77 @@
 const room = element("room");
 const film = element("film");
 
-/** Streams last a minute; the page begins the next one a little earlier [ms]. */
-const STREAM = 55_000;
-
+let streams = new AbortController();
 let shownWidth = 0;
 
-/** Asks for the pictures in the size in which they are shown. */
-function showPictures() {
-  if (document.hidden) {
-    room.src = film.src = "data:,";
-    return;
-  }
-  shownWidth = room.clientWidth;
-  const width = Math.round(shownWidth * devicePixelRatio);
-  const height = Math.round((width * 9) / 16);
-  const stream = Date.now();
-  room.src = address("room", { width, height, stream });
-  film.src = address("film", { stream });
+/** Shows a picture, and frees the one before. */
+function showPicture(image, jpeg) {
+  const before = image.src;
+  image.src = URL.createObjectURL(new Blob([jpeg], { type: "image/jpeg" }));
+  URL.revokeObjectURL(before);
 }
 
-setInterval(showPictures, STREAM);
+/** Shows the pictures of one stream, whose parts have a head that ends with an empty line. */
+async function readPictures(body, image) {
+  const reader = body.getReader();
+  const ascii = new TextDecoder("ascii");
+  let bytes = new Uint8Array();
+  for (let got = await reader.read(); !got.done; got = await reader.read()) {
+    const joined = new Uint8Array(bytes.length + got.value.length);
+    joined.set(bytes);
+    joined.set(got.value, bytes.length);
+    bytes = joined;
+    for (;;) {
+      const head = /^[^]*?Content-Length: (\d+)\r\n\r\n/.exec(ascii.decode(bytes.subarray(0, 200)));
+      const end = head && head[0].length + Number(head[1]);
+      if (!head || bytes.length < end) {
+        break;
+      }
+      showPicture(image, bytes.slice(head[0].length, end));
+      bytes = bytes.subarray(end);
+    }
+  }
+}
+
+/** Shows pictures until they are no longer wanted; a stream lasts a minute. */
+async function showStream(image, path, parameters, { signal }) {
+  while (!signal.aborted) {
+    try {
+      // with this header, Jupyter's proxy passes pictures on as they come
+      const headers = { Accept: "text/event-stream" };
+      const answer = await fetch(address(path, parameters), { headers, signal });
+      if (answer.ok) {
+        await readPictures(answer.body, image);
+        continue;
+      }
+      say("problem", await answer.text());
+    } catch {
+      // the server is away, or the stream is no longer wanted
+    }
+    await new Promise((later) => setTimeout(later, 1000));
+  }
+}
+
+/** Asks for the pictures in the size in which they are shown; not while the page is hidden. */
+function showPictures() {
+  streams.abort();
+  streams = new AbortController();
+  if (!document.hidden) {
+    shownWidth = room.clientWidth;
+    const width = Math.round(shownWidth * devicePixelRatio);
+    const height = Math.round((width * 9) / 16);
+    showStream(room, "room", { width, height }, streams);
+    showStream(film, "film", {}, streams);
+  }
+}
+
+showPictures();
 document.addEventListener("visibilitychange", showPictures);
 
 let resized = 0;
 new ResizeObserver(() => {
   clearTimeout(resized);
-  if (shownWidth && room.clientWidth !== shownWidth) {
+  if (room.clientWidth !== shownWidth) {
     resized = setTimeout(showPictures, 300);
   }
 }).observe(room);
@@ -121,7 +166,6 @@ function showState(now) {
   state = now;
   if (other) {
     selected = 1;
-    showPictures();
   }
   document.title = `${state.title} – Tello Simulator`;
   say("title", state.title);
@@ -246,7 +290,7 @@ listen({
   },
   log: addLines,
   state: showState,
-}, showPictures);
+});
 
 // --- actions ---
 

@@ -36,7 +36,7 @@ class ControlServerTest {
 
   @BeforeEach
   void open() throws IOException {
-    server = new ControlServer(new Requests(simulator), 0);
+    server = new ControlServer(() -> new Requests(simulator), 0);
     client = new ControlClient(server.port(), server.token());
   }
 
@@ -268,7 +268,7 @@ class ControlServerTest {
   @Test
   void goalsAreToldAndAwaited() throws IOException {
     try (TelloSimulator race = TelloSimulator.start("table-landing");
-        ControlServer other = new ControlServer(new Requests(race), 0);
+        ControlServer other = new ControlServer(() -> new Requests(race), 0);
         ControlClient watcher = new ControlClient(other.port(), other.token())) {
       Map<String, Object> goals = watcher.object("goals");
 
@@ -408,7 +408,7 @@ class ControlServerTest {
 
   @Test
   void aPortThatIsTakenIsASentence() {
-    assertThatThrownBy(() -> new ControlServer(new Requests(simulator), server.port()))
+    assertThatThrownBy(() -> new ControlServer(() -> new Requests(simulator), server.port()))
         .isInstanceOf(PortTakenException.class)
         .message()
         .startsWith("Port " + server.port() + " of 127.0.0.1 is not available (")
