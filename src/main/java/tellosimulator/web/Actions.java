@@ -49,7 +49,7 @@ final class Actions {
       case "time-factor" -> control(new Control.SetTimeFactor(factor(text(action, "factor"))));
       case "power-all" -> {
         for (DroneSnapshot drone : subject.simulation().snapshot().drones()) {
-          int number = drone.state().drone();
+          long number = drone.state().drone(); // as in JSON
           subject
               .requests()
               .result(
