@@ -87,7 +87,8 @@ class ArchitectureTest {
           Map.entry("report", List.of("comparison", "grade", "recording", "video")),
           Map.entry("launcher", List.of("concurrent", "files", "time")),
           Map.entry("grade", List.of("launcher", "replay")),
-          Map.entry("cli", List.of("export", "grade", "proxy", "report", "scenario", "video")),
+          Map.entry(
+              "cli", List.of("export", "grade", "proxy", "report", "scenario", "video", "web")),
           Map.entry("jvm", List.of("concurrent", "time")),
           Map.entry("log", List.of("concurrent", "words")),
           Map.entry("view.fx", List.of("scenery")),
@@ -109,7 +110,8 @@ class ArchitectureTest {
               "view.layout", List.of("view.controls", "view.gallery", "view.pilot", "view.world")),
           Map.entry(
               "view.app",
-              List.of("view.goal", "view.log", "view.plan", "view.projector", "view.replay")));
+              List.of(
+                  "view.goal", "view.log", "view.plan", "view.projector", "view.replay", "web")));
 
   /** Packages whose results can affect a trace. */
   private static final String[] CORE =

@@ -47,7 +47,7 @@ class MainTest {
                 .filter(option -> !option.hidden())
                 .map(OptionSpec::longestName)
                 .toList();
-    assertThat(options).hasSize(38);
+    assertThat(options).hasSize(42);
     assertThat(lines(out)).contains(options).contains("--help", "--version");
     for (SubcommandName subcommand : SubcommandName.values()) {
       assertThat(lines(out)).containsPattern("\n  " + subcommand.word() + " +[a-z]");
