@@ -15,6 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.headless.HeadlessSimulator;
+import tellosimulator.model.FlightPhase;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.pilot.OperatorSocket;
 import tellosimulator.scenario.Gallery;
@@ -102,7 +103,7 @@ final class BoardTest {
         teacher.post("do", "{\"do\": \"pause\", \"on\": false}");
         teacher.post("do", "{\"do\": \"power-all\", \"on\": false}");
         while (simulator.current().simulation().snapshot().drones().get(0).state().phase()
-            != tellosimulator.model.FlightPhase.OFF) {
+            != FlightPhase.OFF) {
           Thread.onSpinWait();
         }
         teacher.post("do", "{\"do\": \"course\", \"seed\": 42}");
