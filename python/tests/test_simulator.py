@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import socket
+import sys
+import types
+import urllib.request
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
 
-from tello_simulator import Drone, Simulator, SimulatorError, write_report
+from tello_simulator import Drone, Simulator, SimulatorError, notebook, write_report
 
 pytest_plugins = ["pytester"]
 
@@ -186,6 +189,37 @@ def test_a_closed_simulator_says_so() -> None:
 
     with pytest.raises(SimulatorError, match="closed"):
         simulator.goals()
+
+
+@pytest.fixture
+def cell(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The pages that are shown below a cell of a notebook."""
+    shown: list[str] = []
+    display = types.ModuleType("IPython.display")
+    setattr(display, "IFrame", lambda page, width, height: page)
+    setattr(display, "display", shown.append)
+    monkeypatch.setitem(sys.modules, "IPython", types.ModuleType("IPython"))
+    monkeypatch.setitem(sys.modules, "IPython.display", display)
+    return shown
+
+
+def test_a_notebook_shows_the_page_and_flies(cell: list[str]) -> None:
+    with notebook("gate-race", time_factor="max") as flight:
+        with urllib.request.urlopen(cell[0]) as page:
+            assert "Tello Simulator" in page.read().decode()
+        assert flight.send("takeoff") == "ok"
+        assert flight.send("forward 9") == "out of range"
+        assert flight.simulator.drone.truth().takeoffs == 1
+
+
+def test_a_notebook_of_a_hub_goes_through_its_proxy(
+    cell: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("JUPYTERHUB_SERVICE_PREFIX", "/user/ada/")
+    with notebook() as flight:
+        assert flight.simulator.page is not None
+        port, query = flight.simulator.page.removeprefix("http://127.0.0.1:").split("/")
+    assert cell == [f"/user/ada/proxy/{port}/{query}"]
 
 
 def test_a_recorded_flight_has_a_report(tmp_path: Path) -> None:

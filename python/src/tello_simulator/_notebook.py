@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 import socket
 from types import TracebackType
@@ -68,13 +69,13 @@ def notebook(scenario: Optional[StrPath] = None, *, height: int = 720, **setting
         ImportError: IPython is missing, so this is no notebook.
         SimulatorError: the simulator did not start; the message says why.
     """
-    from IPython.display import IFrame, display
+    ipython: Any = importlib.import_module("IPython.display")
 
     settings = {"time_factor": 1, "command_port": _free_ports(1)[0], **settings}
     options = [*settings.pop("options", ()), "--web", "0"]
     simulator = Simulator(scenario, options=options, **settings)
     assert simulator.page is not None
-    display(IFrame(_reachable(simulator.page), width="100%", height=height))
+    ipython.display(ipython.IFrame(_reachable(simulator.page), width="100%", height=height))
     return NotebookFlight(simulator)
 
 

@@ -96,6 +96,12 @@ class MainTest {
           --headless --exit-when-done | --exit-when-done needs --headless and a --scenario with goals. Try --help.
           --exit-when-done --scenario slalom | --exit-when-done needs --headless and a --scenario with goals. Try --help.
           --control 0 | --control needs --headless. Try --help.
+          --web 0 | --web needs --headless. Try --help.
+          web --timeout 20 --scenario slalom | --web does not go with --timeout. Try --help.
+          web 70000 | Invalid value for option '--web': expected a port from 1 to 65535, or 0 for a free one, found 70000. Try --help.
+          --headless --name Ada | --name and --team need --board. Try --help.
+          --board x | Invalid value for option '--board': expected the address that the board has printed, http://…/?class=…, found x. Try --help.
+          board --port x | Invalid value for option '--port': expected a port from 1 to 65535, or 0 for a free one, found x. Try --help.
           --ghost x | --ghost needs --replay. Try --help.
           --headless --replay x | --replay shows a flight in a window; without one, replay FOLDER flies it again, and report FOLDER makes a page of it, which any browser shows. Try --help.
           --replay x --report r.html | --report does not go with --replay. Try --help.

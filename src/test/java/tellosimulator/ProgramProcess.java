@@ -98,6 +98,12 @@ final class ProgramProcess implements AutoCloseable {
         "-XX:+IgnoreUnrecognizedVMOptions");
   }
 
+  /** Starts the program with words, and nothing else. */
+  static ProgramProcess with(String words) throws IOException {
+    return launch(
+        Main.class, List.of(words.split(" ", -1)), "", "-XX:+IgnoreUnrecognizedVMOptions");
+  }
+
   /** Starts the program as a proxy for a drone of this machine. */
   static ProgramProcess proxy(int dronePort, Path recordings) throws IOException {
     String options =
