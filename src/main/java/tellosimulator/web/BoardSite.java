@@ -94,7 +94,7 @@ final class BoardSite implements Site {
     }
     request.stream(
         "text/event-stream",
-        EVENT_PERIOD,
+        () -> EVENT_PERIOD,
         () -> !closed,
         out -> WebRequest.sendEvent(out, "state", state()));
   }

@@ -47,7 +47,7 @@ final class SimulatorSite implements Site {
   }
 
   /**
-   * Returns the viewer of a page, which is created if it is new. Pages without open streams make
+   * Returns the viewer of a page, which is created if it is new. Pages that are no longer open make
    * place for a new one.
    *
    * @throws IllegalStateException if there are too many; the message is one sentence
@@ -56,18 +56,24 @@ final class SimulatorSite implements Site {
     String name = request.parameter("viewer").orElse("");
     Viewer known = viewers.get(name);
     if (known != null) {
+      known.use();
       return known;
     }
     if (viewers.size() >= MOST_VIEWERS) {
-      viewers.values().removeIf(Viewer::idle);
+      viewers.values().removeIf(Viewer::abandoned);
     }
     if (closed || viewers.size() >= MOST_VIEWERS) {
       throw new IllegalStateException(
           "There are " + MOST_VIEWERS + " viewers already; close another page.");
     }
-    Viewer viewer = new Viewer(host::current, cache);
+    Viewer viewer = new Viewer(host::current, cache, this::readers);
     viewers.put(name, viewer);
     return viewer;
+  }
+
+  /** Returns the number of viewers that read a stream. */
+  private synchronized int readers() {
+    return (int) viewers.values().stream().filter(Viewer::reads).count();
   }
 
   @Override

@@ -8,6 +8,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.IntSupplier;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import tellosimulator.json.Json;
 import tellosimulator.scenery.orbit.RoomView;
@@ -16,14 +18,23 @@ import tellosimulator.video.camera.RenderCache;
 /** One open page: its camera, its selected drone, and its streams. Thread-safe. */
 final class Viewer {
 
-  /** Time between two pictures [ns]. Decided: twenty a second. */
+  /** Shortest time between two pictures [ns]. Decided: twenty a second. */
   private static final long PICTURE_PERIOD = 50_000_000;
+
+  /**
+   * Number of viewers with the full rate; more of them share it. Decided: eight viewers get five
+   * pictures a second each.
+   */
+  private static final int FULL_RATE = 2;
 
   /** Time between two events [ns]. Decided: as often as the drone's own state lines. */
   private static final long STATE_PERIOD = 100_000_000;
 
   /** Number of unchanged states after which one is sent, so that proxies keep the stream open. */
   private static final int MOST_UNCHANGED = 50;
+
+  /** Time after which a page without streams has gone [ns]. Decided: longer than it reconnects. */
+  private static final long ABANDONED = 5_000_000_000L;
 
   private static final String BOUNDARY = "picture";
 
@@ -36,27 +47,41 @@ final class Viewer {
 
   private final Supplier<WebSubject> subject;
   private final RenderCache cache;
+  private final IntSupplier readers;
   private final ViewerCamera camera = new ViewerCamera();
 
   /** The newest stream of each kind. */
   private final Map<String, WebRequest.Part> streams = new ConcurrentHashMap<>();
 
   private volatile int drone = 1;
+  private volatile long used = System.nanoTime();
   private volatile boolean closed;
 
   /**
    * Creates the viewer of a new page.
    *
    * @param cache the cache of all viewers
+   * @param readers returns the number of viewers that read a stream
    */
-  Viewer(Supplier<WebSubject> subject, RenderCache cache) {
+  Viewer(Supplier<WebSubject> subject, RenderCache cache, IntSupplier readers) {
+    this.readers = readers;
     this.subject = subject;
     this.cache = cache;
   }
 
-  /** Whether no stream is open. */
-  boolean idle() {
-    return streams.isEmpty();
+  /** Whether a stream is open. */
+  boolean reads() {
+    return !streams.isEmpty();
+  }
+
+  /** Whether the page has gone: it has no stream, and has not asked for anything lately. */
+  boolean abandoned() {
+    return !reads() && System.nanoTime() - used > ABANDONED;
+  }
+
+  /** Notes that the page has asked for something. */
+  void use() {
+    used = System.nanoTime();
   }
 
   /** Ends all streams. */
@@ -128,7 +153,7 @@ final class Viewer {
         request,
         kind,
         "multipart/x-mixed-replace; boundary=" + BOUNDARY,
-        PICTURE_PERIOD,
+        () -> PICTURE_PERIOD * Math.max(FULL_RATE, readers.getAsInt()) / FULL_RATE,
         shown,
         out -> {
           Optional<byte[]> picture = pictures.get();
@@ -156,7 +181,7 @@ final class Viewer {
       WebRequest request,
       String kind,
       String type,
-      long period,
+      LongSupplier period,
       WebSubject shown,
       WebRequest.Part part)
       throws IOException {
@@ -179,7 +204,7 @@ final class Viewer {
         request,
         "state",
         "text/event-stream",
-        STATE_PERIOD,
+        () -> STATE_PERIOD,
         shown,
         new Events(shown, new WebTexts(request.locale()), more));
   }

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
 import tellosimulator.json.Json;
 import tellosimulator.time.Ticker;
 import tellosimulator.translation.PhraseCatalog;
@@ -135,14 +136,15 @@ final class WebRequest {
    * Sends a stream until the browser goes away, the stream has lasted {@link #LONGEST_STREAM}, or
    * it is no longer wanted. Blocks.
    *
-   * @param period time between two parts [ns]
+   * @param period returns the time between two parts [ns]
    */
-  void stream(String type, long period, BooleanSupplier wanted, Part part) throws IOException {
+  void stream(String type, LongSupplier period, BooleanSupplier wanted, Part part)
+      throws IOException {
     OutputStream out = begin(type);
     Ticker ticker = new Ticker();
     long end = ticker.nanos() + LONGEST_STREAM * 1_000_000_000L;
     while (wanted.getAsBoolean() && ticker.nanos() < end) {
-      if (ticker.awaitTick(period)) {
+      if (ticker.awaitTick(period.getAsLong())) {
         part.write(out);
       }
     }
