@@ -81,7 +81,11 @@ public final class ScriptedFlight implements AutoCloseable {
 
     private void askNext() throws IOException {
       askedAt = Math.max(1, nanos.getAsLong());
-      socket.send(commands.remove());
+      String command = commands.remove();
+      if (command.equals("takeoff")) {
+        socket.send("rc 0 0 0 0"); // sticks of an earlier operator would move the drone
+      }
+      socket.send(command);
     }
 
     @Override

@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -224,6 +225,17 @@ final class WebServerTest {
       answer = status("GET /state?token=" + token + " HTTP/1.1", own());
     }
     assertThat(answer).isEqualTo(OK);
+  }
+
+  @Test
+  @Tag("slow")
+  void whoAsksTooSlowlyIsDropped() throws IOException {
+    try (Socket slow = new Socket(InetAddress.getLoopbackAddress(), port)) {
+      slow.setSoTimeout(30_000);
+      slow.getOutputStream().write("GET / HTTP/1.1\r\nX: ".getBytes(StandardCharsets.US_ASCII));
+
+      assertThat(slow.getInputStream().read()).isEqualTo(-1); // the server closes it after 10 s
+    }
   }
 
   @Test
