@@ -21,6 +21,7 @@ import tellosimulator.concurrent.Worker;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Score;
 import tellosimulator.json.Json;
+import tellosimulator.scenery.overlay.Overlay;
 import tellosimulator.sim.LastCommand;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.Ticker;
@@ -111,7 +112,8 @@ public final class BoardReporter implements AutoCloseable {
   }
 
   private RoomPictures pictures() {
-    return new RoomPictures(subject, cache, WIDTH, HEIGHT);
+    Overlay overlay = new Overlay(subject.simulation().snapshot());
+    return new RoomPictures(subject, overlay, cache, WIDTH, HEIGHT);
   }
 
   private void report() {

@@ -1,7 +1,13 @@
 package tellosimulator.web;
 
+import java.util.List;
 import java.util.Optional;
+import tellosimulator.goal.PlacedGoal;
+import tellosimulator.goal.Progress;
 import tellosimulator.scenery.Scene;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.overlay.Eye;
+import tellosimulator.scenery.overlay.Overlay;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.ColorSpace;
 import tellosimulator.video.camera.FrameBuffer;
@@ -10,7 +16,10 @@ import tellosimulator.video.camera.RenderCache;
 import tellosimulator.video.camera.SoftwareCamera;
 import tellosimulator.video.picture.JpegEncoder;
 
-/** Draws the room for one viewer as JPEG files. Confined to the thread of the viewer's stream. */
+/**
+ * Draws the room for one viewer as JPEG files, with the aids that the window shows: goals, heading
+ * rings and trails. Confined to the thread of the viewer's stream.
+ */
 final class RoomPictures implements AutoCloseable {
 
   /** Compression quality. Decided: edges of goals and drones stay sharp. */
@@ -26,19 +35,22 @@ final class RoomPictures implements AutoCloseable {
   private final FrameBuffer frame;
   private final int[] pixels;
   private final JpegEncoder encoder;
+  private final Overlay overlay;
   private Optional<Seen> seen = Optional.empty();
 
-  private record Seen(Scene scene, PinholeCamera camera) {}
+  private record Seen(Scene scene, PinholeCamera camera, int drone, List<PlacedGoal> goals) {}
 
   /**
    * Creates the pictures of one stream.
    *
+   * @param overlay the aids, which may be shared by pictures of the same viewer
    * @param cache the cache of all viewers, for {@link ColorSpace#RGB}
    * @param width width of a picture [pixels]
    * @param height height of a picture [pixels]
    */
-  RoomPictures(WebSubject subject, RenderCache cache, int width, int height) {
+  RoomPictures(WebSubject subject, Overlay overlay, RenderCache cache, int width, int height) {
     this.subject = subject;
+    this.overlay = overlay;
     this.camera = new SoftwareCamera(cache);
     this.width = width;
     this.height = height;
@@ -50,15 +62,22 @@ final class RoomPictures implements AutoCloseable {
   /** Returns the next picture; empty if nothing has changed. */
   Optional<byte[]> next(ViewerCamera viewer, int drone) {
     SimSnapshot snapshot = subject.simulation().snapshot();
-    Seen now =
-        new Seen(
-            subject.scenes().scene(snapshot),
-            viewer.at(
-                snapshot, drone, subject.goals().progress().challenge().goals(), width, height));
-    if (seen.filter(now::equals).isPresent()) {
-      return Optional.empty();
+    Progress progress = subject.goals().progress();
+    PinholeCamera view = viewer.at(snapshot, drone, progress.challenge().goals(), width, height);
+    List<PlacedGoal> goals = PlacedGoal.of(progress, snapshot.arena());
+    Seen now = new Seen(subject.scenes().scene(snapshot), view, drone, goals);
+    Eye eye = new Eye(view.pose(), ViewerCamera.NEAR);
+    List<Instance> aids;
+    synchronized (overlay) {
+      overlay.advance(snapshot, System.nanoTime());
+      if (seen.filter(now::equals).isPresent()) {
+        return Optional.empty();
+      }
+      overlay.choose(drone);
+      overlay.show(goals, List.of());
+      aids = overlay.instances(snapshot, eye);
     }
-    camera.draw(now.scene, now.camera, frame);
+    camera.draw(now.scene.withOverlay(aids), view, frame);
     frame.copyTo(pixels);
     for (int i = 0; i < pixels.length; i++) {
       pixels[i] = pixels[i] == 0 ? OUTSIDE : pixels[i];

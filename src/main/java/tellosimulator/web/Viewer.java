@@ -13,6 +13,7 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import tellosimulator.json.Json;
 import tellosimulator.scenery.orbit.RoomView;
+import tellosimulator.scenery.overlay.Overlay;
 import tellosimulator.video.camera.RenderCache;
 
 /** One open page: its camera, its selected drone, and its streams. Thread-safe. */
@@ -53,9 +54,12 @@ final class Viewer {
   /** The newest stream of each kind. */
   private final Map<String, WebRequest.Part> streams = new ConcurrentHashMap<>();
 
+  private Aids aids;
   private volatile int drone = 1;
   private volatile long used = System.nanoTime();
   private volatile boolean closed;
+
+  private record Aids(int number, Overlay overlay) {}
 
   /**
    * Creates the viewer of a new page.
@@ -124,9 +128,17 @@ final class Viewer {
     int width = size(request, "width", WIDTH);
     int height = size(request, "height", HEIGHT);
     WebSubject shown = subject.get();
-    try (RoomPictures pictures = new RoomPictures(shown, cache, width, height)) {
+    try (RoomPictures pictures = new RoomPictures(shown, overlay(shown), cache, width, height)) {
       sendPictures(request, "room", shown, () -> pictures.next(camera, drone()));
     }
+  }
+
+  /** Returns the aids of a scenario, with the trails that earlier streams have begun. */
+  private synchronized Overlay overlay(WebSubject shown) {
+    if (aids == null || aids.number != shown.number()) {
+      aids = new Aids(shown.number(), new Overlay(shown.simulation().snapshot()));
+    }
+    return aids.overlay;
   }
 
   private static int size(WebRequest request, String name, int otherwise) {

@@ -25,7 +25,7 @@ final class ViewerCamera {
   private static final double FIELD_OF_VIEW = Math.toRadians(38);
 
   /** Distance of the near plane [m]. Decided: nearer than the nearest orbit. */
-  private static final double NEAR = 0.05;
+  static final double NEAR = 0.05;
 
   /** Distance of the camera that chases a drone [m]. Decided: the same as in the window. */
   private static final double CHASE_DISTANCE = 1.35;
