@@ -99,6 +99,7 @@ class MainTest {
           --web 0 | --web needs --headless. Try --help.
           web --timeout 20 --scenario slalom | --web does not go with --timeout. Try --help.
           web 70000 | Invalid value for option '--web': expected a port from 1 to 65535, or 0 for a free one, found 70000. Try --help.
+          --headless --board http://a/?class=1 --exit-when-done --scenario slalom | --board does not go with --exit-when-done. Try --help.
           --headless --name Ada | --name and --team need --board. Try --help.
           --board x | Invalid value for option '--board': expected the address that the board has printed, http://…/?class=…, found x. Try --help.
           board --port x | Invalid value for option '--port': expected a port from 1 to 65535, or 0 for a free one, found x. Try --help.

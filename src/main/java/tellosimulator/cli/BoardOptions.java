@@ -32,11 +32,15 @@ public final class BoardOptions {
   }
 
   /**
-   * Checks that a name has a board.
+   * Checks that a name has a board, and that a run that ends by itself has none.
    *
-   * @throws IllegalArgumentException if it has none; the message is one sentence
+   * @param end the option because of which the run ends by itself
+   * @throws IllegalArgumentException if the options are inconsistent; the message is one sentence
    */
-  void check() {
+  void check(Optional<String> end) {
+    if (board.value().isPresent() && end.isPresent()) { // a new course would end it
+      throw new IllegalArgumentException(BOARD + " does not go with " + end.get());
+    }
     if (board.value().isEmpty() && (name.value().isPresent() || team.value().isPresent())) {
       throw new IllegalArgumentException("--name and --team need " + BOARD);
     }

@@ -290,7 +290,7 @@ public final class Options {
     }
     checkServer(CONTROL, control().isPresent(), end);
     checkServer(WEB, web().isPresent(), end);
-    board.check();
+    board.check(end);
     ScenarioOptions.checkPictures(scenario.config().arena());
     recordingOptions.check(headless(), inputs(scenario));
     return opened().map(read -> read.with(scenario)).orElseGet(() -> OpenedScenario.once(scenario));
