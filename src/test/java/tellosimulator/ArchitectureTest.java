@@ -413,7 +413,7 @@ class ArchitectureTest {
   void randomNumbersHaveASeed() {
     noClasses()
         .that()
-        .doNotHaveFullyQualifiedName(ROOT + ".control.ControlServer")
+        .doNotHaveFullyQualifiedName(ROOT + ".control.AccessToken")
         .should()
         .accessTargetWhere(
             describe(

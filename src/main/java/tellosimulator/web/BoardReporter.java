@@ -6,8 +6,6 @@ import java.io.OutputStream;
 import java.net.HttpURLConnection;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
-import java.security.SecureRandom;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -18,6 +16,7 @@ import org.slf4j.LoggerFactory;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
+import tellosimulator.control.AccessToken;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Score;
 import tellosimulator.json.Json;
@@ -60,7 +59,7 @@ public final class BoardReporter implements AutoCloseable {
 
   private WebTexts texts = new WebTexts(Locale.ENGLISH);
   private WebSubject subject;
-  private RoomPictures pictures;
+  private ViewerPictures pictures;
   private Optional<LastCommand.Shown> failed = Optional.empty();
   private boolean lost;
 
@@ -69,9 +68,8 @@ public final class BoardReporter implements AutoCloseable {
     this.name = name;
     this.team = team;
     actions = new Actions(host);
-    byte[] id = new byte[16];
-    new SecureRandom().nextBytes(id);
-    seat = board.resolve("seat?" + board.getRawQuery() + "&id=" + HexFormat.of().formatHex(id));
+    String id = AccessToken.create().text(); // nobody else can report under it
+    seat = board.resolve("seat?" + board.getRawQuery() + "&id=" + id);
     subject = host.current();
     pictures = pictures();
     worker = Worker.start("board", new Reports());
@@ -111,9 +109,9 @@ public final class BoardReporter implements AutoCloseable {
     }
   }
 
-  private RoomPictures pictures() {
+  private ViewerPictures pictures() {
     Overlay overlay = new Overlay(subject.simulation().snapshot());
-    return new RoomPictures(subject, overlay, cache, WIDTH, HEIGHT);
+    return new ViewerPictures(subject, overlay, cache, WIDTH, HEIGHT);
   }
 
   private void report() {

@@ -14,6 +14,7 @@ import java.util.function.Supplier;
 import tellosimulator.json.Json;
 import tellosimulator.scenery.orbit.RoomView;
 import tellosimulator.scenery.overlay.Overlay;
+import tellosimulator.time.Ticker;
 import tellosimulator.video.camera.RenderCache;
 
 /** One open page: its camera, its selected drone, and its streams. Thread-safe. */
@@ -56,7 +57,8 @@ final class Viewer {
 
   private Aids aids;
   private volatile int drone = 1;
-  private volatile long used = System.nanoTime();
+  private final Ticker clock = new Ticker();
+  private volatile long used = clock.nanos();
   private volatile boolean closed;
 
   private record Aids(int number, Overlay overlay) {}
@@ -80,12 +82,12 @@ final class Viewer {
 
   /** Whether the page has gone: it has no stream, and has not asked for anything lately. */
   boolean abandoned() {
-    return !reads() && System.nanoTime() - used > ABANDONED;
+    return !reads() && clock.nanos() - used > ABANDONED;
   }
 
   /** Notes that the page has asked for something. */
   void use() {
-    used = System.nanoTime();
+    used = clock.nanos();
   }
 
   /** Ends all streams. */
@@ -128,7 +130,8 @@ final class Viewer {
     int width = size(request, "width", WIDTH);
     int height = size(request, "height", HEIGHT);
     WebSubject shown = subject.get();
-    try (RoomPictures pictures = new RoomPictures(shown, overlay(shown), cache, width, height)) {
+    try (ViewerPictures pictures =
+        new ViewerPictures(shown, overlay(shown), cache, width, height)) {
       sendPictures(request, "room", shown, () -> pictures.next(camera, drone()));
     }
   }

@@ -92,7 +92,7 @@ final class ScriptedFlightTest {
   }
 
   @Test
-  void sticksOfAnEarlierOperatorAreCentred() throws Exception {
+  void sticksOfAnEarlierOperatorAreCentered() throws Exception {
     try (OperatorSocket earlier = OperatorSocket.open(simulation.addresses(1).get(0))) {
       earlier.send("command");
       earlier.send("rc 0 100 0 0");

@@ -109,7 +109,7 @@ public record Orbit(double heading, double elevation, double distance, Vec3 shif
     return new Orbit(
         heading + Frames.wrapped(other.heading - heading) * part,
         elevation + (other.elevation - elevation) * part,
-        distance * Math.pow(other.distance / distance, part),
+        distance * StrictMath.pow(other.distance / distance, part),
         shift.plusScaled(other.shift.minus(shift), part),
         offset.towards(other.offset, part));
   }
@@ -122,9 +122,9 @@ public record Orbit(double heading, double elevation, double distance, Vec3 shif
    */
   public Pose pose(Vec3 target) {
     Vec3 pivot = pivot(target);
-    double reach = distance * Math.hypot(1, offset.up());
-    double lowest = Math.asin(Math.max(-1, Math.min(1, (ABOVE_FLOOR - pivot.z()) / reach)));
-    Attitude attitude = attitude(Math.max(elevation, lowest + Math.atan(offset.up())));
+    double reach = distance * StrictMath.hypot(1, offset.up());
+    double lowest = StrictMath.asin(Math.max(-1, Math.min(1, (ABOVE_FLOOR - pivot.z()) / reach)));
+    Attitude attitude = attitude(Math.max(elevation, lowest + StrictMath.atan(offset.up())));
     Vec3 way = new Vec3(1, offset.left(), offset.up()).times(distance);
     return new Pose(pivot.minus(attitude.toRoom(way)), attitude);
   }
@@ -141,7 +141,7 @@ public record Orbit(double heading, double elevation, double distance, Vec3 shif
   }
 
   private Attitude attitude(double down) {
-    Attitude tilt = new Attitude(Math.cos(down / 2), 0, Math.sin(down / 2), 0);
+    Attitude tilt = new Attitude(StrictMath.cos(down / 2), 0, StrictMath.sin(down / 2), 0);
     return Attitude.ofHeading(heading).after(tilt);
   }
 }

@@ -9,6 +9,7 @@ import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.overlay.Eye;
 import tellosimulator.scenery.overlay.Overlay;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.time.Ticker;
 import tellosimulator.video.camera.ColorSpace;
 import tellosimulator.video.camera.FrameBuffer;
 import tellosimulator.video.camera.PinholeCamera;
@@ -20,7 +21,7 @@ import tellosimulator.video.picture.JpegEncoder;
  * Draws the room for one viewer as JPEG files, with the aids that the window shows: goals, heading
  * rings and trails. Confined to the thread of the viewer's stream.
  */
-final class RoomPictures implements AutoCloseable {
+final class ViewerPictures implements AutoCloseable {
 
   /** Compression quality. Decided: edges of goals and drones stay sharp. */
   private static final float QUALITY = 0.8f;
@@ -35,6 +36,7 @@ final class RoomPictures implements AutoCloseable {
   private final FrameBuffer frame;
   private final int[] pixels;
   private final JpegEncoder encoder;
+  private final Ticker clock = new Ticker();
   private final Overlay overlay;
   private Optional<Seen> seen = Optional.empty();
 
@@ -48,7 +50,7 @@ final class RoomPictures implements AutoCloseable {
    * @param width width of a picture [pixels]
    * @param height height of a picture [pixels]
    */
-  RoomPictures(WebSubject subject, Overlay overlay, RenderCache cache, int width, int height) {
+  ViewerPictures(WebSubject subject, Overlay overlay, RenderCache cache, int width, int height) {
     this.subject = subject;
     this.overlay = overlay;
     this.camera = new SoftwareCamera(cache);
@@ -69,7 +71,7 @@ final class RoomPictures implements AutoCloseable {
     Eye eye = new Eye(view.pose(), ViewerCamera.NEAR);
     List<Instance> aids;
     synchronized (overlay) {
-      overlay.advance(snapshot, System.nanoTime());
+      overlay.advance(snapshot, clock.nanos());
       if (seen.filter(now::equals).isPresent()) {
         return Optional.empty();
       }
