@@ -2,21 +2,11 @@ package tellosimulator.cli;
 
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import picocli.CommandLine;
-import picocli.CommandLine.IVersionProvider;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.web.WebServer;
 
 /** Serves the teacher's board, to which the simulators of a class report. Not thread-safe. */
-final class BoardSubcommand implements Subcommand {
-
-  private final OptionList optionList =
-      OptionList.of(
-          SubcommandName.BOARD,
-          "Shows the simulators of a class on one page, and starts, stops and resets them."
-              + " The line that begins with web is the link to the page; the one that begins with"
-              + " board is what the class gives to its simulators with --board.",
-          "Exit code 0: ended by quit; 1: the port is not available; 2: wrong options.");
+final class BoardSubcommand extends Subcommand {
 
   private final OptionValue<Integer> port =
       optionList
@@ -26,9 +16,13 @@ final class BoardSubcommand implements Subcommand {
   private final OptionValue<Boolean> lan =
       optionList.flag("--lan", "Let simulators of other machines of the local network report.");
 
-  @Override
-  public CommandLine commandLine(IVersionProvider version) {
-    return optionList.commandLine(version);
+  BoardSubcommand() {
+    super(
+        SubcommandName.BOARD,
+        "Shows the simulators of a class on one page, and starts, stops and resets them."
+            + " The line that begins with web is the link to the page; the one that begins with"
+            + " board is what the class gives to its simulators with --board.",
+        "Exit code 0: ended by quit; 1: the port is not available; 2: wrong options.");
   }
 
   @Override

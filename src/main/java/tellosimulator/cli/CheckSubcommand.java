@@ -3,8 +3,6 @@ package tellosimulator.cli;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
-import picocli.CommandLine;
-import picocli.CommandLine.IVersionProvider;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenario.ScenarioFile;
@@ -12,24 +10,20 @@ import tellosimulator.scenario.ScenarioFile;
 /**
  * Reads scenario files and prints all errors in them, without simulating anything. Not thread-safe.
  */
-final class CheckSubcommand implements Subcommand {
+final class CheckSubcommand extends Subcommand {
 
   /**
    * Number of courses that are drawn of a file with ranges. Decided: one that rarely fits fails.
    */
   private static final int COURSES = 20;
 
-  private final OptionList optionList =
-      OptionList.of(
-          SubcommandName.CHECK,
-          "Checks scenario files, and says all that is wrong with each, with line and column.",
-          "Exit code 0: all can be flown; 2: something is wrong.");
-
   private final Supplier<List<Path>> files = optionList.files("FILE", "A scenario file.");
 
-  @Override
-  public CommandLine commandLine(IVersionProvider version) {
-    return optionList.commandLine(version);
+  CheckSubcommand() {
+    super(
+        SubcommandName.CHECK,
+        "Checks scenario files, and says all that is wrong with each, with line and column.",
+        "Exit code 0: all can be flown; 2: something is wrong.");
   }
 
   @Override

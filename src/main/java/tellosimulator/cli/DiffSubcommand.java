@@ -4,8 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
-import picocli.CommandLine;
-import picocli.CommandLine.IVersionProvider;
 import tellosimulator.comparison.ComparisonTable;
 import tellosimulator.comparison.FlightComparison;
 import tellosimulator.comparison.FlightComparison.Flight;
@@ -18,14 +16,7 @@ import tellosimulator.report.FlightReports;
 import tellosimulator.report.ReportTexts;
 
 /** Compares two recordings. Not thread-safe. */
-final class DiffSubcommand implements Subcommand {
-
-  private final OptionList optionList =
-      OptionList.of(
-          SubcommandName.DIFF,
-          "Compares two recorded flights, command by command: replies, durations, and how the"
-              + " drones moved as their state lines tell it.",
-          "Exit code 0: alike; 4: they differ; 1: cannot be read or written; 2: wrong options.");
+final class DiffSubcommand extends Subcommand {
 
   private final Supplier<Path> first = optionList.recording("A");
   private final Supplier<Path> second = optionList.recording("B");
@@ -33,9 +24,12 @@ final class DiffSubcommand implements Subcommand {
   private final OptionValue<Optional<Path>> output =
       optionList.output("Also write the table and charts of both as an HTML file.");
 
-  @Override
-  public CommandLine commandLine(IVersionProvider version) {
-    return optionList.commandLine(version);
+  DiffSubcommand() {
+    super(
+        SubcommandName.DIFF,
+        "Compares two recorded flights, command by command: replies, durations, and how the"
+            + " drones moved as their state lines tell it.",
+        "Exit code 0: alike; 4: they differ; 1: cannot be read or written; 2: wrong options.");
   }
 
   @Override

@@ -6,21 +6,13 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import picocli.CommandLine;
-import picocli.CommandLine.IVersionProvider;
 import tellosimulator.export.ExportFormat;
 import tellosimulator.files.IoReason;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.UnreadableRecordingException;
 
 /** Writes a recording in the format of another tool. Not thread-safe. */
-final class ExportSubcommand implements Subcommand {
-
-  private final OptionList optionList =
-      OptionList.of(
-          SubcommandName.EXPORT,
-          "Writes a recorded flight in the format of another tool.",
-          "Exit code 0: written; 1: cannot be read or written; 2: wrong options.");
+final class ExportSubcommand extends Subcommand {
 
   private final Supplier<Path> folder = optionList.recording("FOLDER");
 
@@ -39,9 +31,11 @@ final class ExportSubcommand implements Subcommand {
   private final OptionValue<Optional<Path>> output =
       optionList.output("The file to write. Default: flight.pcap or flight.mcap in the folder.");
 
-  @Override
-  public CommandLine commandLine(IVersionProvider version) {
-    return optionList.commandLine(version);
+  ExportSubcommand() {
+    super(
+        SubcommandName.EXPORT,
+        "Writes a recorded flight in the format of another tool.",
+        "Exit code 0: written; 1: cannot be read or written; 2: wrong options.");
   }
 
   @Override

@@ -9,28 +9,18 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import picocli.CommandLine;
-import picocli.CommandLine.IVersionProvider;
 import tellosimulator.files.AtomicFile;
 import tellosimulator.files.IoReason;
 import tellosimulator.scenario.CourseGenerator;
 import tellosimulator.scenario.Difficulty;
 
 /** Writes a generated scenario to a file or to the standard output. Not thread-safe. */
-final class GenerateSubcommand implements Subcommand {
+final class GenerateSubcommand extends Subcommand {
 
   private static final String KINDS =
       Stream.of(CourseGenerator.Kind.values())
           .map(CourseGenerator.Kind::word)
           .collect(Collectors.joining(", "));
-
-  private final OptionList optionList =
-      OptionList.of(
-          SubcommandName.GENERATE,
-          "Writes a scenario that is drawn from a seed, the same on every machine. KIND is "
-              + KINDS
-              + ".",
-          "Exit code 0: written; 1: the file exists or cannot be written; 2: wrong options.");
 
   private final Supplier<CourseGenerator.Kind> kind =
       optionList.word(
@@ -55,9 +45,13 @@ final class GenerateSubcommand implements Subcommand {
   private final OptionValue<Optional<Path>> output =
       optionList.output("The new file to write. Default: the standard output.");
 
-  @Override
-  public CommandLine commandLine(IVersionProvider version) {
-    return optionList.commandLine(version);
+  GenerateSubcommand() {
+    super(
+        SubcommandName.GENERATE,
+        "Writes a scenario that is drawn from a seed, the same on every machine. KIND is "
+            + KINDS
+            + ".",
+        "Exit code 0: written; 1: the file exists or cannot be written; 2: wrong options.");
   }
 
   @Override

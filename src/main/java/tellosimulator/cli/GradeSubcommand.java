@@ -11,8 +11,6 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import picocli.CommandLine;
-import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.TypeConversionException;
 import tellosimulator.concurrent.TerminationSignals;
 import tellosimulator.files.IoReason;
@@ -33,16 +31,7 @@ import tellosimulator.words.Phrase;
 import tellosimulator.words.Printable;
 
 /** Grades the programs of a class. Not thread-safe. */
-final class GradeSubcommand implements Subcommand {
-
-  private final OptionList optionList =
-      OptionList.of(
-          SubcommandName.GRADE,
-          "Flies the programs that a class has handed in on the courses of an assignment, each"
-              + " confined to itself, and writes points and grades. What is there already is not"
-              + " flown again.",
-          "Exit code 0: graded; 1: cannot be read, flown or written; 2: the assignment, a course or"
-              + " an option is wrong; 130: Ctrl-C, after which the same command goes on.");
+final class GradeSubcommand extends Subcommand {
 
   private final Supplier<List<Path>> files =
       optionList.files(
@@ -105,9 +94,14 @@ final class GradeSubcommand implements Subcommand {
   private final OptionValue<Boolean> self =
       optionList.flag("--self", "Fly one program as it will be graded, and print its points.");
 
-  @Override
-  public CommandLine commandLine(IVersionProvider version) {
-    return optionList.commandLine(version);
+  GradeSubcommand() {
+    super(
+        SubcommandName.GRADE,
+        "Flies the programs that a class has handed in on the courses of an assignment, each"
+            + " confined to itself, and writes points and grades. What is there already is not"
+            + " flown again.",
+        "Exit code 0: graded; 1: cannot be read, flown or written; 2: the assignment, a course or"
+            + " an option is wrong; 130: Ctrl-C, after which the same command goes on.");
   }
 
   private static List<GradeFormat> formats(String words) {

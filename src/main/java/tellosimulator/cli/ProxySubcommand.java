@@ -8,8 +8,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
-import picocli.CommandLine;
-import picocli.CommandLine.IVersionProvider;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.LocalNetworks;
 import tellosimulator.network.PortTakenException;
@@ -24,13 +22,7 @@ import tellosimulator.sim.SimConfig.StreamPorts;
  * Runs a proxy between operator programs and a real drone, and records the flights. Not
  * thread-safe.
  */
-final class ProxySubcommand implements Subcommand {
-
-  private final OptionList optionList =
-      OptionList.of(
-          SubcommandName.PROXY,
-          "Passes commands on to a real drone, and back what it sends, and records its flights.",
-          "Exit code 0: ended by quit; 1: an address or a port is not available; 2: wrong options.");
+final class ProxySubcommand extends Subcommand {
 
   private final Supplier<InetSocketAddress> drone =
       optionList
@@ -88,9 +80,11 @@ final class ProxySubcommand implements Subcommand {
               "The port of this machine to which the drone sends its video.")
           .read(OptionTypes::portOrFree, NetworkOptions.USUAL_VIDEO_PORT);
 
-  @Override
-  public CommandLine commandLine(IVersionProvider version) {
-    return optionList.commandLine(version);
+  ProxySubcommand() {
+    super(
+        SubcommandName.PROXY,
+        "Passes commands on to a real drone, and back what it sends, and records its flights.",
+        "Exit code 0: ended by quit; 1: an address or a port is not available; 2: wrong options.");
   }
 
   @Override

@@ -6,8 +6,6 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
-import picocli.CommandLine;
-import picocli.CommandLine.IVersionProvider;
 import tellosimulator.comparison.ComparisonTable;
 import tellosimulator.comparison.FlightComparison;
 import tellosimulator.comparison.FlightComparison.Flight;
@@ -21,18 +19,10 @@ import tellosimulator.replay.Repetition;
 import tellosimulator.replay.Replay;
 
 /** Replays a recorded flight and reports whether the new recording is the same. Not thread-safe. */
-final class ReplaySubcommand implements Subcommand {
+final class ReplaySubcommand extends Subcommand {
 
   /** Maximum length of a differing line in the output [characters]; longer lines are truncated. */
   private static final int LONGEST = 300;
-
-  private final OptionList optionList =
-      OptionList.of(
-          SubcommandName.REPLAY,
-          "Flies a recorded flight again, with the same inputs after the same steps, and compares"
-              + " both recordings byte by byte.",
-          "Exit code 0: identical, or alike if only commands could be flown again; 4: they differ;"
-              + " 1: cannot be read or written; 2: wrong options.");
 
   private final Supplier<Path> folder = optionList.recording("FOLDER");
 
@@ -44,9 +34,13 @@ final class ReplaySubcommand implements Subcommand {
               "Keep the second recording, in a folder of its own in DIR.")
           .readIfGiven(OptionTypes::fileOrFolder);
 
-  @Override
-  public CommandLine commandLine(IVersionProvider version) {
-    return optionList.commandLine(version);
+  ReplaySubcommand() {
+    super(
+        SubcommandName.REPLAY,
+        "Flies a recorded flight again, with the same inputs after the same steps, and compares"
+            + " both recordings byte by byte.",
+        "Exit code 0: identical, or alike if only commands could be flown again; 4: they differ;"
+            + " 1: cannot be read or written; 2: wrong options.");
   }
 
   @Override

@@ -4,8 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
-import picocli.CommandLine;
-import picocli.CommandLine.IVersionProvider;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.report.FlightReport;
@@ -13,14 +11,7 @@ import tellosimulator.report.FlightReports;
 import tellosimulator.report.ReportTexts;
 
 /** Writes an HTML report of a recording. Not thread-safe. */
-final class ReportSubcommand implements Subcommand {
-
-  private final OptionList optionList =
-      OptionList.of(
-          SubcommandName.REPORT,
-          "Makes a report of a recorded flight: one HTML file that opens in any browser,"
-              + " without a network.",
-          "Exit code 0: written; 1: cannot be read or written; 2: wrong options.");
+final class ReportSubcommand extends Subcommand {
 
   private final Supplier<Path> folder = optionList.recording("FOLDER");
 
@@ -28,9 +19,12 @@ final class ReportSubcommand implements Subcommand {
       optionList.output(
           "The file to write. Default: " + FlightReport.FILE_NAME + " in the folder.");
 
-  @Override
-  public CommandLine commandLine(IVersionProvider version) {
-    return optionList.commandLine(version);
+  ReportSubcommand() {
+    super(
+        SubcommandName.REPORT,
+        "Makes a report of a recorded flight: one HTML file that opens in any browser,"
+            + " without a network.",
+        "Exit code 0: written; 1: cannot be read or written; 2: wrong options.");
   }
 
   @Override

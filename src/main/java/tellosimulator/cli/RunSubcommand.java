@@ -23,7 +23,7 @@ import tellosimulator.scenario.Scenario;
  * Runs an unmodified operator program in a network where the simulated drones have the addresses of
  * real ones. Not thread-safe.
  */
-final class RunSubcommand implements Subcommand {
+final class RunSubcommand extends Subcommand {
 
   private static final String SEPARATOR = "--";
   private static final String PROGRAM_OUTPUT = "--program-output";
@@ -35,18 +35,6 @@ final class RunSubcommand implements Subcommand {
 
   /** Exit codes of a simulator that ended normally. */
   private static final List<Integer> VERDICTS = List.of(ExitCode.DONE, ExitCode.GOALS_MISSED);
-
-  private final OptionList optionList =
-      OptionList.of(
-          SubcommandName.RUN,
-          "Runs an unchanged program in a private network, in which the drone has 192.168.10.1:8889"
-              + " and the program 192.168.10.2, as with a real drone; several drones have"
-              + " 192.168.10.11, 192.168.10.12, and so on. Where there can be no private network, a"
-              + " shim gives programs in Python, Java and Node.js the same addresses.",
-          "Exit code: that of the program, which the line \"program: exit code N\" says; if it is 0,"
-              + " or the program had to be ended, 0, or 3 if goals were missed, which the line"
-              + " \"goals: ...\" says. Without a line of the program: 1: it cannot be started; 2:"
-              + " wrong options. 70: the simulator ended too early; 130: Ctrl-C.");
 
   private final OptionValue<Optional<Path>> output =
       optionList
@@ -62,6 +50,19 @@ final class RunSubcommand implements Subcommand {
 
   private IVersionProvider version = () -> new String[0];
 
+  RunSubcommand() {
+    super(
+        SubcommandName.RUN,
+        "Runs an unchanged program in a private network, in which the drone has 192.168.10.1:8889"
+            + " and the program 192.168.10.2, as with a real drone; several drones have"
+            + " 192.168.10.11, 192.168.10.12, and so on. Where there can be no private network, a"
+            + " shim gives programs in Python, Java and Node.js the same addresses.",
+        "Exit code: that of the program, which the line \"program: exit code N\" says; if it is 0,"
+            + " or the program had to be ended, 0, or 3 if goals were missed, which the line"
+            + " \"goals: ...\" says. Without a line of the program: 1: it cannot be started; 2:"
+            + " wrong options. 70: the simulator ended too early; 130: Ctrl-C.");
+  }
+
   @Override
   public CommandLine commandLine(IVersionProvider newVersion) {
     version = newVersion;
@@ -69,7 +70,7 @@ final class RunSubcommand implements Subcommand {
         "[OPTION...] -- PROGRAM [ARGUMENT...]",
         "Options of the simulator, such as --headless or --scenario slalom; and after --, your"
             + " program. Without a window, a scenario with goals ends with the verdict on them.");
-    return optionList.commandLine(newVersion);
+    return super.commandLine(newVersion);
   }
 
   @Override
