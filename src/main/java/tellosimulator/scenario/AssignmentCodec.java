@@ -12,9 +12,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
-import org.snakeyaml.engine.v2.nodes.MappingNode;
 import org.snakeyaml.engine.v2.nodes.Node;
-import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.profile.Behavior;
@@ -25,6 +23,7 @@ import tellosimulator.scenario.Assignment.Pace;
 import tellosimulator.scenario.Assignment.Scale;
 import tellosimulator.scenario.Assignment.Setup;
 import tellosimulator.scenario.Assignment.Take;
+import tellosimulator.scenario.Codec.Context;
 import tellosimulator.scenario.ListCodec.Item;
 import tellosimulator.scenario.Quantity.Unit;
 import tellosimulator.words.Phrase;
@@ -46,8 +45,7 @@ final class AssignmentCodec extends RecordCodec<Assignment> {
   private final Field<Assignment, String> name =
       key("name", "Name of the assignment.").need(Scalars.LINE, Assignment::name);
   private final Field<Assignment, List<AssignedCourse>> courses =
-      key("courses", "Scenarios to fly.")
-          .need(list(new CourseCodec(), MOST_COURSES), Assignment::courses);
+      key("courses", "Scenarios to fly.").need(list(course(), MOST_COURSES), Assignment::courses);
   private final Field<Assignment, Integer> attempts =
       key("attempts", "Number of flights of each course.")
           .usual(
@@ -58,10 +56,7 @@ final class AssignmentCodec extends RecordCodec<Assignment> {
           .usual(WordCodec.of(Take.values()).or(Take.BEST), Assignment::take);
   private final Field<Assignment, List<String>> entry =
       key("entry", "Name or pattern of the file to start; of several, the first that exists.")
-          .usual(
-              new OneOrMore<>(list(new FilePattern(), MOST_COURSES), new FilePattern())
-                  .or(USUAL_ENTRIES),
-              Assignment::entry);
+          .usual(entries().or(USUAL_ENTRIES), Assignment::entry);
   private final Field<Assignment, String> command =
       key("command", "Command that starts the file. Default: chosen by the file's ending.")
           .optional(Scalars.LINE, Assignment::command);
@@ -123,6 +118,12 @@ final class AssignmentCodec extends RecordCodec<Assignment> {
 
   private static <T> Codec<List<T>> list(Codec<T> codec, int most) {
     return new ListCodec<>(codec, most).map(Item::values, Item::of);
+  }
+
+  /** Returns the codec of a list of patterns, whose brackets may be left out if it is only one. */
+  private static Codec<List<String>> entries() {
+    Codec<String> pattern = Scalars.LINE.readBy(AssignmentCodec::pattern);
+    return list(pattern, MOST_COURSES).orShort(pattern.map(List::of, all -> all.get(0)));
   }
 
   private static RecordCodec<Setup> setup() {
@@ -241,145 +242,67 @@ final class AssignmentCodec extends RecordCodec<Assignment> {
     return codec.made(in -> new Scale(in.get(range), in.get(from), in.get(to), in.get(passedFrom)));
   }
 
-  /** Codec of a course: a scenario, or a mapping with the scenario and its seeds. */
-  private static final class CourseCodec implements Codec<AssignedCourse> {
-
-    private static final Codec<List<Long>> SEEDS =
-        list(
-            Scalars.whole(
-                Phrase.of("a whole number of at most 18 digits"),
-                -999_999_999_999_999_999L,
-                999_999_999_999_999_999L),
-            Assignment.MOST_FLIGHTS);
-
-    private static final Codec<String> SCENARIO = new ScenarioName();
-
-    private final RecordCodec<AssignedCourse> mapping = mapping();
-
-    private static RecordCodec<AssignedCourse> mapping() {
-      RecordCodec<AssignedCourse> codec =
-          new RecordCodec<>("course", Phrase.of("a course"), "A scenario with seeds.");
-      Field<AssignedCourse, String> scenario =
-          codec
-              .key("scenario", "File of the scenario, or its name.")
-              .need(SCENARIO, AssignedCourse::scenario);
-      Field<AssignedCourse, List<Long>> seeds =
-          codec
-              .key("seeds", "Seeds with which it is flown.")
-              .usual(SEEDS.or(List.of()), AssignedCourse::seeds);
-      codec.checked(
-          in -> {
-            List<Long> given = in.get(seeds);
-            if (in.nodes().containsKey("seeds") && given.isEmpty()) {
-              in.diagnostic(seeds, Phrase.of("expected at least one seed, found none"));
-            } else if (new HashSet<>(given).size() < given.size()) {
-              in.diagnostic(seeds, Phrase.of("a seed is there twice"));
-            }
-          });
-      return codec.made(in -> new AssignedCourse(in.get(scenario), in.get(seeds)));
-    }
-
-    @Override
-    public Optional<AssignedCourse> read(Node node, Context context) {
-      return node instanceof MappingNode
-          ? mapping.read(node, context)
-          : SCENARIO.read(node, context).map(name -> new AssignedCourse(name, List.of()));
-    }
-
-    @Override
-    public Node write(AssignedCourse course, Path folder) {
-      return mapping.write(course, folder);
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Codec.object(
-          "anyOf", List.of(SCENARIO.schema(definitions), mapping.schema(definitions)));
-    }
+  /** Returns the codec of a course: a scenario, or a mapping with the scenario and its seeds. */
+  private static Codec<AssignedCourse> course() {
+    Codec<String> name = Scalars.LINE.readBy(AssignmentCodec::scenario);
+    RecordCodec<AssignedCourse> codec =
+        new RecordCodec<>("course", Phrase.of("a course"), "A scenario with seeds.");
+    Field<AssignedCourse, String> scenario =
+        codec
+            .key("scenario", "File of the scenario, or its name.")
+            .need(name, AssignedCourse::scenario);
+    Field<AssignedCourse, List<Long>> seeds =
+        codec
+            .key("seeds", "Seeds with which it is flown.")
+            .usual(
+                list(Scalars.SEED, Assignment.MOST_FLIGHTS).or(List.of()), AssignedCourse::seeds);
+    codec.checked(
+        in -> {
+          List<Long> given = in.get(seeds);
+          if (in.nodes().containsKey("seeds") && given.isEmpty()) {
+            in.diagnostic(seeds, Phrase.of("expected at least one seed, found none"));
+          } else if (new HashSet<>(given).size() < given.size()) {
+            in.diagnostic(seeds, Phrase.of("a seed is there twice"));
+          }
+        });
+    return codec
+        .made(in -> new AssignedCourse(in.get(scenario), in.get(seeds)))
+        .orShort(name.map(only -> new AssignedCourse(only, List.of()), AssignedCourse::scenario));
   }
 
-  /** Codec of a scenario's file, relative to the folder of the assignment, or of its name. */
-  private record ScenarioName() implements Codec<String> {
+  /** Reads a scenario's file, relative to the folder of the assignment, or its name. */
+  private static Optional<String> scenario(Node node, Context context) {
+    return Scalars.LINE.read(node, context).flatMap(word -> found(word, node, context));
+  }
 
-    @Override
-    public Optional<String> read(Node node, Context context) {
-      return Scalars.LINE.read(node, context).flatMap(word -> found(word, node, context));
-    }
-
-    private static Optional<String> found(String word, Node node, Context context) {
-      try {
-        Path file = context.folder().resolve(word).normalize();
-        if (Files.isRegularFile(file)) {
-          return Optional.of(file.toString());
-        }
-      } catch (InvalidPathException e) {
-        // reported below, unless it is a name
+  private static Optional<String> found(String word, Node node, Context context) {
+    try {
+      Path file = context.folder().resolve(word).normalize();
+      if (Files.isRegularFile(file)) {
+        return Optional.of(file.toString());
       }
-      return Gallery.NAMES.contains(word)
-          ? Optional.of(word)
-          : context
-              .diagnostics()
-              .add(
-                  node,
-                  Phrase.of("there is neither a file nor a scenario %s", Diagnostics.shown(word)));
+    } catch (InvalidPathException e) {
+      // reported below, unless it is a name
     }
-
-    @Override
-    public Node write(String value, Path folder) {
-      return Yaml.text(value);
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Scalars.LINE.schema(definitions);
-    }
-  }
-
-  /** Codec of the name of a file, or of a pattern for it. */
-  private record FilePattern() implements Codec<String> {
-
-    @Override
-    public Optional<String> read(Node node, Context context) {
-      Optional<String> line = Scalars.LINE.read(node, context);
-      try {
-        line.ifPresent(each -> FileSystems.getDefault().getPathMatcher("glob:" + each));
-        return line;
-      } catch (PatternSyntaxException e) {
-        return context
+    return Gallery.NAMES.contains(word)
+        ? Optional.of(word)
+        : context
             .diagnostics()
-            .expected(Phrase.of("the name of a file, or a pattern such as \"*.py\""), node);
-      }
-    }
-
-    @Override
-    public Node write(String value, Path folder) {
-      return Yaml.text(value);
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Scalars.LINE.schema(definitions);
-    }
+            .add(
+                node,
+                Phrase.of("there is neither a file nor a scenario %s", Diagnostics.shown(word)));
   }
 
-  /** Codec of a list, whose brackets may be left out if it has a single item. */
-  private record OneOrMore<T>(Codec<List<T>> list, Codec<T> item) implements Codec<List<T>> {
-
-    @Override
-    public Optional<List<T>> read(Node node, Context context) {
-      return node instanceof ScalarNode
-          ? item.read(node, context).map(List::of)
-          : list.read(node, context);
-    }
-
-    @Override
-    public Node write(List<T> value, Path folder) {
-      return list.write(value, folder);
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Codec.object("anyOf", List.of(item.schema(definitions), list.schema(definitions)));
+  /** Reads the name of a file, or a pattern for it. */
+  private static Optional<String> pattern(Node node, Context context) {
+    Optional<String> line = Scalars.LINE.read(node, context);
+    try {
+      line.ifPresent(each -> FileSystems.getDefault().getPathMatcher("glob:" + each));
+      return line;
+    } catch (PatternSyntaxException e) {
+      return context
+          .diagnostics()
+          .expected(Phrase.of("the name of a file, or a pattern such as \"*.py\""), node);
     }
   }
 

@@ -2,10 +2,14 @@ package tellosimulator.scenario;
 
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import tellosimulator.scenario.Field.Default;
 
 /**
@@ -67,23 +71,52 @@ interface Codec<T> {
    * codec.
    */
   default <U> Codec<U> map(Function<T, U> to, Function<U, T> from) {
-    Codec<T> codec = this;
-    return new Codec<>() {
-      @Override
-      public Optional<U> read(Node node, Context context) {
-        return codec.read(node, context).map(to);
-      }
+    return new Composed<>(
+        (node, context) -> read(node, context).map(to),
+        (value, folder) -> write(from.apply(value), folder),
+        this::schema);
+  }
 
-      @Override
-      public Node write(U value, Path folder) {
-        return codec.write(from.apply(value), folder);
-      }
+  /** Returns a codec that reads values by a function, and otherwise works like this one. */
+  default Codec<T> readBy(BiFunction<Node, Context, Optional<T>> reader) {
+    return new Composed<>(reader, this::write, this::schema);
+  }
 
-      @Override
-      public Map<String, Object> schema(Map<String, Object> definitions) {
-        return codec.schema(definitions);
-      }
-    };
+  /** Returns this codec with a short form: a scalar, which is read but never written. */
+  default Codec<T> orShort(Codec<T> scalar) {
+    return new Composed<>(
+        (node, context) -> (node instanceof ScalarNode ? scalar : this).read(node, context),
+        this::write,
+        definitions -> object("anyOf", List.of(scalar.schema(definitions), schema(definitions))));
+  }
+
+  /**
+   * A codec made of functions.
+   *
+   * @param reader reads a value, see {@link Codec#read}
+   * @param writer writes a value, see {@link Codec#write}
+   * @param describer describes the values, see {@link Codec#schema}
+   */
+  record Composed<T>(
+      BiFunction<Node, Context, Optional<T>> reader,
+      BiFunction<T, Path, Node> writer,
+      UnaryOperator<Map<String, Object>> describer)
+      implements Codec<T> {
+
+    @Override
+    public Optional<T> read(Node node, Context context) {
+      return reader.apply(node, context);
+    }
+
+    @Override
+    public Node write(T value, Path folder) {
+      return writer.apply(value, folder);
+    }
+
+    @Override
+    public Map<String, Object> schema(Map<String, Object> definitions) {
+      return describer.apply(definitions);
+    }
   }
 
   /**

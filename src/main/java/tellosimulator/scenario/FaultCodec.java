@@ -10,10 +10,8 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Function;
-import java.util.stream.Stream;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
 import org.snakeyaml.engine.v2.nodes.Node;
-import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.Fault.AfterCommand;
@@ -28,6 +26,7 @@ import tellosimulator.fault.FaultText;
 import tellosimulator.fault.FaultTextException;
 import tellosimulator.fault.LinkDirection;
 import tellosimulator.network.AddressPlan;
+import tellosimulator.scenario.Codec.Composed;
 import tellosimulator.words.Phrase;
 
 /**
@@ -105,7 +104,7 @@ final class FaultCodec implements Codec<Fault> {
         key("fault", "Faults.").need(new WordCodec<>(FaultKind.byWord()), Fault::kind);
     private final Field<Fault, Set<LinkDirection>> direction =
         key("direction", "Direction over the link. Default: all directions.")
-            .optional(new Directions(), FaultMapping::unwritten);
+            .optional(directions(), FaultMapping::unwritten);
     private final Map<FaultParameter, Field<Fault, Double>> parameters =
         new EnumMap<>(FaultParameter.class);
     private final Field<Fault, Integer> drone =
@@ -118,7 +117,7 @@ final class FaultCodec implements Codec<Fault> {
                 FaultMapping::unwritten);
     private final Field<Fault, Double> at =
         key("at", "Time of its beginning, after the first takeoff. Default: immediately.")
-            .optional(new Quantity(word -> FaultText.time(word, "at")), FaultMapping::unwritten);
+            .optional(quantity(word -> FaultText.time(word, "at")), FaultMapping::unwritten);
     private final Field<Fault, String> after =
         key("after", "Beginning of the command after which it starts.")
             .optional(Scalars.LINE, FaultMapping::unwritten);
@@ -132,7 +131,7 @@ final class FaultCodec implements Codec<Fault> {
                 FaultMapping::unwritten);
     private final Field<Fault, Double> duration =
         key("for", "Duration. Default: unlimited.")
-            .optional(new Quantity(word -> FaultText.time(word, "for")), FaultMapping::unwritten);
+            .optional(quantity(word -> FaultText.time(word, "for")), FaultMapping::unwritten);
 
     FaultMapping() {
       super("fault", Phrase.of("a fault"), "Something that goes wrong, with units as in \"20%\".");
@@ -141,7 +140,7 @@ final class FaultCodec implements Codec<Fault> {
             parameter,
             key(parameter.word(), capitalized(parameter.words()))
                 .optional(
-                    new Quantity(word -> FaultText.quantity(parameter, word)),
+                    quantity(word -> FaultText.quantity(parameter, word)),
                     FaultMapping::unwritten));
       }
       add(Case.with("after").excludes("at"));
@@ -207,57 +206,41 @@ final class FaultCodec implements Codec<Fault> {
     }
   }
 
-  /** Codec of a number with or without a unit, such as {@code 20%}. */
-  private record Quantity(Function<String, Double> reader) implements Codec<Double> {
-
-    @Override
-    public Optional<Double> read(Node node, Context context) {
-      String word = node instanceof ScalarNode scalar ? scalar.getValue().replace(" ", "") : "";
-      return told(node, context, () -> reader.apply(word));
-    }
-
-    @Override
-    public Node write(Double value, Path folder) {
-      return Yaml.number(value);
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Codec.object(
-          "anyOf",
-          List.of(
-              Codec.object("type", "number", "minimum", 0),
-              Codec.object("type", "string", "pattern", "^[0-9.]+ ?[a-z%/]*$")));
-    }
+  /** Returns the codec of a number with or without a unit, such as {@code 20%}. */
+  private static Codec<Double> quantity(Function<String, Double> reader) {
+    return new Composed<>(
+        (node, context) -> {
+          String word = Scalars.text(node).orElse("").replace(" ", "");
+          return told(node, context, () -> reader.apply(word));
+        },
+        (value, folder) -> Yaml.number(value),
+        definitions ->
+            Codec.object(
+                "anyOf",
+                List.of(
+                    Codec.object("type", "number", "minimum", 0),
+                    Codec.object("type", "string", "pattern", "^[0-9.]+ ?[a-z%/]*$"))));
   }
 
-  /** Codec of one direction or a list of directions. */
-  private record Directions() implements Codec<Set<LinkDirection>> {
-
-    private static final WordCodec<LinkDirection> WORD = WordCodec.of(LinkDirection.values());
-
-    @Override
-    public Optional<Set<LinkDirection>> read(Node node, Context context) {
-      List<Node> words =
-          node instanceof SequenceNode sequence ? sequence.getValue() : List.of(node);
-      Set<LinkDirection> directions = EnumSet.noneOf(LinkDirection.class);
-      int before = context.diagnostics().count();
-      for (Node word : words) {
-        WORD.read(word, context).ifPresent(directions::add);
-      }
-      return context.diagnostics().count() == before ? Optional.of(directions) : Optional.empty();
-    }
-
-    @Override
-    public Node write(Set<LinkDirection> directions, Path folder) {
-      return Yaml.text(String.join(" ", directions.stream().map(LinkDirection::word).toList()));
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      Map<String, Object> word = WORD.schema(definitions);
-      return Codec.object(
-          "anyOf", Stream.of(word, Codec.object("type", "array", "items", word)).toList());
-    }
+  /** Returns the codec of one direction or a list of directions. */
+  private static Codec<Set<LinkDirection>> directions() {
+    WordCodec<LinkDirection> direction = WordCodec.of(LinkDirection.values());
+    return new Composed<>(
+        (node, context) -> {
+          List<Node> words =
+              node instanceof SequenceNode sequence ? sequence.getValue() : List.of(node);
+          Set<LinkDirection> directions = EnumSet.noneOf(LinkDirection.class);
+          int before = context.diagnostics().count();
+          words.forEach(word -> direction.read(word, context).ifPresent(directions::add));
+          return context.diagnostics().count() == before
+              ? Optional.of(directions)
+              : Optional.empty();
+        },
+        (value, folder) ->
+            Yaml.text(String.join(" ", value.stream().map(LinkDirection::word).toList())),
+        definitions -> {
+          Map<String, Object> word = direction.schema(definitions);
+          return Codec.object("anyOf", List.of(word, Codec.object("type", "array", "items", word)));
+        });
   }
 }

@@ -1,12 +1,9 @@
 package tellosimulator.scenario;
 
-import java.nio.file.Path;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.BiFunction;
 import java.util.function.Function;
-import org.snakeyaml.engine.v2.nodes.Node;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Goal.Direction;
 import tellosimulator.goal.GoalRegion;
@@ -157,7 +154,7 @@ final class GoalCodecs {
     Codec<G> madeFor(BiFunction<Entries, Terms, G> maker) {
       Field<G, Integer> drone =
           key("drone", "Number of the drone that must do it. Default: any drone.")
-              .optionalInt(new DroneNumber(), Goal::drone);
+              .optionalInt(droneNumber(), Goal::drone);
       Field<G, Double> points =
           key("points", "Points for reaching the goal.")
               .usual(NumberCodec.POINTS.or(0.0), goal -> goal.terms().points());
@@ -165,32 +162,17 @@ final class GoalCodecs {
     }
   }
 
-  /** Codec of a drone number. The file must contain a drone with that number. */
-  private record DroneNumber() implements Codec<Integer> {
+  /** Returns the codec of a drone number. The file must contain a drone with that number. */
+  private static Codec<Integer> droneNumber() {
+    return droneUpTo(AddressPlan.MOST_DRONES)
+        .readBy((node, context) -> droneUpTo(context.drones()).read(node, context));
+  }
 
-    private static final Codec<Integer> OF_ANY = upTo(AddressPlan.MOST_DRONES);
-
-    @Override
-    public Optional<Integer> read(Node node, Context context) {
-      return upTo(context.drones()).read(node, context);
-    }
-
-    private static Codec<Integer> upTo(int drones) {
-      Phrase expected =
-          drones == 1
-              ? Phrase.of("drone 1, the only one")
-              : Phrase.of("a drone from 1 to %d", drones);
-      return Scalars.count(expected, 1, drones);
-    }
-
-    @Override
-    public Node write(Integer number, Path folder) {
-      return OF_ANY.write(number, folder);
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return OF_ANY.schema(definitions);
-    }
+  private static Codec<Integer> droneUpTo(int drones) {
+    Phrase expected =
+        drones == 1
+            ? Phrase.of("drone 1, the only one")
+            : Phrase.of("a drone from 1 to %d", drones);
+    return Scalars.count(expected, 1, drones);
   }
 }

@@ -18,6 +18,8 @@ import org.snakeyaml.engine.v2.resolver.JsonScalarResolver;
 import org.snakeyaml.engine.v2.resolver.ScalarResolver;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
+import tellosimulator.scenario.Codec.Composed;
+import tellosimulator.scenario.Codec.Context;
 import tellosimulator.words.Phrase;
 
 /** Codecs of single values, such as texts, whole numbers, colours, addresses and positions. */
@@ -52,17 +54,21 @@ final class Scalars {
 
   /** Codec of a non-empty line of text. */
   static final Codec<String> LINE =
-      new Scalar<>(
+      scalar(
           Phrase.of("a line of text of at most %d letters", LONGEST_LINE),
           Scalars::line,
           Yaml::text,
           definitions -> Codec.object("type", "string", "minLength", 1, "maxLength", LONGEST_LINE));
 
-  static final Codec<Boolean> YES_OR_NO = new YesOrNo();
+  static final Codec<Boolean> YES_OR_NO =
+      new Composed<>(
+          TRUTH::read,
+          (value, folder) -> Yaml.plain(Tag.BOOL, value.toString()),
+          definitions -> Codec.object("type", "boolean"));
 
   /** Codec of a colour, written as #rrggbb or by its name. */
   static final Codec<Integer> COLOR =
-      new Scalar<>(
+      scalar(
           Phrase.of(
               "a colour such as \"#d9772b\", or one of %s",
               String.join(", ", COLOR_NAMES.words().keySet())),
@@ -75,7 +81,7 @@ final class Scalars {
 
   /** Codec of an IPv4 address of this machine. */
   static final Codec<InetAddress> ADDRESS =
-      new Scalar<>(
+      scalar(
           Phrase.of("an address of this machine such as 127.0.0.2"),
           scalar -> AddressPlan.parse(scalar.getValue()),
           address -> Yaml.text(address.getHostAddress()),
@@ -84,7 +90,8 @@ final class Scalars {
                   "type", "string", "format", "ipv4", "pattern", "^[0-9]{1,3}(\\.[0-9]{1,3}){3}$"));
 
   /** Codec of an image file whose name is relative to the folder of the scenario file. */
-  static final Codec<String> PICTURE = new PictureName();
+  static final Codec<String> PICTURE =
+      new Composed<>(Scalars::picture, Scalars::relative, LINE::schema);
 
   /** Codec of a coordinate in the room or on one of its surfaces, positive or negative. */
   static final NumberCodec OFFSET = NumberCodec.length(Quantity.OFFSET);
@@ -98,6 +105,12 @@ final class Scalars {
   static final Codec<Integer> PORT =
       count(Phrase.of("a port from 1 to 65535"), 1, AddressPlan.HIGHEST_PORT);
 
+  static final Codec<Long> SEED =
+      whole(
+          Phrase.of("a whole number of at most 18 digits"),
+          -999_999_999_999_999_999L,
+          999_999_999_999_999_999L);
+
   private Scalars() {}
 
   /** Returns a codec for a small whole number. */
@@ -107,7 +120,7 @@ final class Scalars {
 
   /** Returns a codec for a whole number. */
   static Codec<Long> whole(Phrase expected, long least, long most) {
-    return new Scalar<>(
+    return scalar(
         expected,
         scalar ->
             Optional.of(scalar)
@@ -125,34 +138,24 @@ final class Scalars {
   }
 
   /**
-   * Codec of a value that is written as one scalar.
+   * Returns a codec of scalars.
    *
-   * @param expected a noun phrase for a valid node, for error messages
-   * @param schema the JSON schema of the value, given the definitions so far
+   * @param expected describes the valid values
+   * @param meaning returns the value of a scalar; empty if the scalar is invalid
    */
-  private record Scalar<T>(
+  private static <T> Codec<T> scalar(
       Phrase expected,
       Function<ScalarNode, Optional<T>> meaning,
       Function<T, Node> writer,
-      UnaryOperator<Map<String, Object>> schema)
-      implements Codec<T> {
-
-    @Override
-    public Optional<T> read(Node node, Context context) {
-      Optional<T> value =
-          node instanceof ScalarNode scalar ? meaning.apply(scalar) : Optional.empty();
-      return value.isPresent() ? value : context.diagnostics().expected(expected, node);
-    }
-
-    @Override
-    public Node write(T value, Path folder) {
-      return writer.apply(value);
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return schema.apply(definitions);
-    }
+      UnaryOperator<Map<String, Object>> describer) {
+    return new Composed<>(
+        (node, context) -> {
+          Optional<T> value =
+              node instanceof ScalarNode scalar ? meaning.apply(scalar) : Optional.empty();
+          return value.isPresent() ? value : context.diagnostics().expected(expected, node);
+        },
+        (value, folder) -> writer.apply(value),
+        describer);
   }
 
   /**
@@ -183,57 +186,29 @@ final class Scalars {
     return Codec.object("$ref", "#/$defs/colour");
   }
 
-  private record YesOrNo() implements Codec<Boolean> {
-
-    @Override
-    public Optional<Boolean> read(Node node, Context context) {
-      return TRUTH.read(node, context);
+  private static Optional<String> picture(Node node, Context context) {
+    Optional<String> written = LINE.read(node, context);
+    Optional<Path> file = Optional.empty();
+    if (written.isPresent()) {
+      try {
+        file = Optional.of(context.folder().resolve(written.get()).normalize());
+      } catch (InvalidPathException e) {
+        file = Optional.empty(); // not a valid file name
+      }
+      if (file.isEmpty() || (context.looked() && !Files.isRegularFile(file.get()))) {
+        Object found = Diagnostics.found(node);
+        return context
+            .diagnostics()
+            .add(node, Phrase.of("expected the name of an image file, found no file %s", found));
+      }
     }
-
-    @Override
-    public Node write(Boolean value, Path folder) {
-      return Yaml.plain(Tag.BOOL, value.toString());
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Codec.object("type", "boolean");
-    }
+    return file.map(Path::toString);
   }
 
-  private record PictureName() implements Codec<String> {
-
-    @Override
-    public Optional<String> read(Node node, Context context) {
-      Optional<String> written = LINE.read(node, context);
-      Optional<Path> file = Optional.empty();
-      if (written.isPresent()) {
-        try {
-          file = Optional.of(context.folder().resolve(written.get()).normalize());
-        } catch (InvalidPathException e) {
-          file = Optional.empty(); // not a valid file name
-        }
-        if (file.isEmpty() || (context.looked() && !Files.isRegularFile(file.get()))) {
-          Object found = Diagnostics.found(node);
-          return context
-              .diagnostics()
-              .add(node, Phrase.of("expected the name of an image file, found no file %s", found));
-        }
-      }
-      return file.map(Path::toString);
-    }
-
-    @Override
-    public Node write(String file, Path folder) {
-      Path path = Path.of(file).toAbsolutePath().normalize();
-      Path base = folder.toAbsolutePath().normalize();
-      boolean near = path.getRoot().equals(base.getRoot());
-      return Yaml.text((near ? base.relativize(path) : path).toString().replace('\\', '/'));
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return LINE.schema(definitions);
-    }
+  private static Node relative(String file, Path folder) {
+    Path path = Path.of(file).toAbsolutePath().normalize();
+    Path base = folder.toAbsolutePath().normalize();
+    boolean near = path.getRoot().equals(base.getRoot());
+    return Yaml.text((near ? base.relativize(path) : path).toString().replace('\\', '/'));
   }
 }

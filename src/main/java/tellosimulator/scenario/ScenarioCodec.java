@@ -1,6 +1,5 @@
 package tellosimulator.scenario;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -21,6 +20,7 @@ import tellosimulator.goal.Goal;
 import tellosimulator.goal.Scoring;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.network.AddressPlan;
+import tellosimulator.scenario.Codec.Composed;
 import tellosimulator.scenario.ListCodec.Item;
 import tellosimulator.scenario.Scenario.CommandAddress;
 import tellosimulator.sim.SimConfig;
@@ -176,17 +176,10 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.ParsedScenario> {
               "time-factor",
               "Speed of simulated time: 5 is five times as fast; max is as fast as the machine can"
                   + " while a drone moves.")
-          .usual(
-              new TimeFactorCodec().or(TimeFactor.REAL_TIME), noted -> noted.config().timeFactor());
+          .usual(timeFactor().or(TimeFactor.REAL_TIME), noted -> noted.config().timeFactor());
   private final Field<ParsedScenario, Long> seed =
       key("seed", "The same seed and the same commands give the same flight.")
-          .usual(
-              Scalars.whole(
-                      Phrase.of("a whole number of at most 18 digits"),
-                      -999_999_999_999_999_999L,
-                      999_999_999_999_999_999L)
-                  .or(SimConfig.DEFAULT.seed()),
-              noted -> noted.config().seed());
+          .usual(Scalars.SEED.or(SimConfig.DEFAULT.seed()), noted -> noted.config().seed());
   private final Field<ParsedScenario, List<Item<Goal>>> goals =
       key("goals", "Goals of the drones.")
           .usual(
@@ -367,33 +360,23 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.ParsedScenario> {
     return document("Scenario of the Tello Simulator");
   }
 
-  /** Codec of a time factor: a number, or {@code max}. */
-  private record TimeFactorCodec() implements Codec<TimeFactor> {
-
-    private static final String MAX = "max";
-
-    private static final NumberCodec NUMBER =
+  /** Returns the codec of a time factor, which is a number or a word. */
+  private static Codec<TimeFactor> timeFactor() {
+    String max = "max";
+    NumberCodec number =
         new NumberCodec(
             Quantity.TIME_FACTOR,
             Phrase.of(
                 "a time factor from %s to %s, or max",
                 NumberCodec.plain(TimeFactor.SMALLEST), NumberCodec.plain(TimeFactor.LARGEST)));
-
-    @Override
-    public Optional<TimeFactor> read(Node node, Context context) {
-      return node instanceof ScalarNode scalar && scalar.getValue().equals(MAX)
-          ? Optional.of(TimeFactor.MAX)
-          : NUMBER.read(node, context).map(TimeFactor::new);
-    }
-
-    @Override
-    public Node write(TimeFactor factor, Path folder) {
-      return factor.unlimited() ? Yaml.text(MAX) : NUMBER.write(factor.value(), folder);
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Codec.object("anyOf", List.of(Codec.object("const", MAX), NUMBER.schema(definitions)));
-    }
+    return new Composed<>(
+        (node, context) ->
+            Scalars.text(node).filter(max::equals).isPresent()
+                ? Optional.of(TimeFactor.MAX)
+                : number.read(node, context).map(TimeFactor::new),
+        (factor, folder) ->
+            factor.unlimited() ? Yaml.text(max) : number.write(factor.value(), folder),
+        definitions ->
+            Codec.object("anyOf", List.of(Codec.object("const", max), number.schema(definitions))));
   }
 }
