@@ -3,10 +3,10 @@ package tellosimulator.command;
 import tellosimulator.controller.Direction;
 import tellosimulator.controller.PadChoice;
 import tellosimulator.controller.Sticks;
-import tellosimulator.controller.VideoOption;
 import tellosimulator.extension.LightOrder;
 import tellosimulator.math.Arc;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.VideoOption;
 
 /**
  * A parsed command with valid parameters. Unless a component documents otherwise, units are SI, and

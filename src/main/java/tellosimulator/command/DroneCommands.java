@@ -48,9 +48,10 @@ final class DroneCommands implements CommandTarget {
             controller.jump(
                 c.leg().goal(), c.leg().speed(), c.leg().pad(), c.heading(), c.second()));
     order(Command.SetSpeed.class, c -> controller.setSpeed(c.speed()));
-    order(Command.DetectPads.class, c -> controller.detectPads(c.on()));
-    order(Command.SetPadDirection.class, c -> controller.setPadDirection(c.direction()));
-    order(Command.SetVideo.class, c -> controller.setVideo(c.option(), c.value()));
+    order(Command.DetectPads.class, c -> controller.equipment().detectPads(c.on()));
+    order(
+        Command.SetPadDirection.class, c -> controller.equipment().setPadDirection(c.direction()));
+    order(Command.SetVideo.class, c -> controller.equipment().setVideo(c.option(), c.value()));
     order(Command.SpinMotors.class, c -> controller.spinMotors(c.on()));
     entry(Command.Stop.class, this::stop);
     entry(Command.Emergency.class, (command, responder) -> controller.emergency());
@@ -132,7 +133,7 @@ final class DroneCommands implements CommandTarget {
   }
 
   private void stream(Command.Stream command, Responder responder) {
-    Result result = controller.stream(command.on());
+    Result result = controller.equipment().stream(command.on());
     note(
         command.on()
             ? Phrase.of("films for port %d of its operator", drone.session().link().videoPort())
@@ -159,7 +160,7 @@ final class DroneCommands implements CommandTarget {
   }
 
   private void light(Command.Light command, Responder responder) {
-    controller.light(command.order());
+    controller.equipment().light(command.order(), controller.now());
     responder.reply(command.reply());
   }
 

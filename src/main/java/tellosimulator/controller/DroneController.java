@@ -4,7 +4,6 @@ import java.util.Optional;
 import tellosimulator.controller.FlightEvent.Fell;
 import tellosimulator.controller.FlightEvent.Note;
 import tellosimulator.controller.FlightEvent.PutBack;
-import tellosimulator.extension.LightOrder;
 import tellosimulator.math.Arc;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.Battery;
@@ -369,32 +368,6 @@ public final class DroneController {
     faultEffects.provoke(now);
   }
 
-  public Result detectPads(boolean on) {
-    return equipment.detectPads(on);
-  }
-
-  /**
-   * Sets the directions in which the drone detects mission pads.
-   *
-   * @param direction 0 down, 1 forward, 2 both
-   */
-  public Result setPadDirection(int direction) {
-    return equipment.setPadDirection(direction);
-  }
-
-  public Result stream(boolean on) {
-    return equipment.stream(on);
-  }
-
-  /** Makes the next picture one with which a decoder can begin. */
-  public void sendKeyPicture() {
-    equipment.sendKeyPicture();
-  }
-
-  public Result setVideo(VideoOption option, int value) {
-    return equipment.setVideo(option, value);
-  }
-
   /** Starts or stops the motors of a drone on the ground. */
   public Result spinMotors(boolean on) {
     FlightPhase wanted = on ? FlightPhase.IDLING : FlightPhase.GROUNDED;
@@ -415,9 +388,8 @@ public final class DroneController {
     restart.schedule(now, announced ? Reboot.NOTICE : 0);
   }
 
-  /** Gives an order to the lights of the extension board. */
-  public Result light(LightOrder order) {
-    return equipment.light(order, now);
+  public Equipment equipment() {
+    return equipment;
   }
 
   private Result running(Maneuver maneuver) {

@@ -3,6 +3,7 @@ package tellosimulator.controller;
 import tellosimulator.extension.LightOrder;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.PadMode;
+import tellosimulator.model.VideoOption;
 import tellosimulator.model.VideoSettings;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
@@ -13,7 +14,7 @@ import tellosimulator.words.Phrase;
  * The camera, the pad detector and the extension board of a drone. Confined to the simulation
  * thread.
  */
-final class Equipment {
+public final class Equipment {
 
   private final DroneModel model;
   private final Profile profile;
@@ -23,14 +24,19 @@ final class Equipment {
     this.profile = profile;
   }
 
-  Result detectPads(boolean on) {
+  public Result detectPads(boolean on) {
     boolean both = profile.sdk() == Sdk.SDK_2_0;
     PadMode mode = both ? PadMode.BOTH : PadMode.DOWN;
     model.look(on ? mode : PadMode.OFF);
     return Result.DONE;
   }
 
-  Result setPadDirection(int direction) {
+  /**
+   * Sets the directions in which the drone detects mission pads.
+   *
+   * @param direction 0 down, 1 forward, 2 both
+   */
+  public Result setPadDirection(int direction) {
     if (model.perception().padMode() == PadMode.OFF) {
       return new Result.Refused(
           RefusalKind.GENERAL, Phrase.of("pad detection is off, send `mon` first"));
@@ -40,31 +46,25 @@ final class Equipment {
     return Result.DONE;
   }
 
-  Result stream(boolean on) {
+  public Result stream(boolean on) {
     VideoSettings video = model.video();
     model.setVideo(on ? video.started() : video.stopped());
     return Result.DONE;
   }
 
-  void sendKeyPicture() {
+  /** Makes the next picture one with which a decoder can begin. */
+  public void sendKeyPicture() {
     model.setVideo(model.video().withKeyPicture());
   }
 
-  Result light(LightOrder order, SimTime now) {
+  /** Gives an order to the lights of the extension board. */
+  public Result light(LightOrder order, SimTime now) {
     model.setLights(model.lights().after(order, now));
     return Result.DONE;
   }
 
-  Result setVideo(VideoOption option, int value) {
-    VideoSettings video = model.video();
-    model.setVideo(
-        switch (option) {
-          case FRAMES_PER_SECOND -> video.withFramesPerSecond(value);
-          case BIT_RATE -> video.withMegabits(value);
-          case LINES -> video.withLines(value);
-          case WIDE -> video.withWide(value == 1);
-          case DOWNWARD -> video.withDownward(value == 1);
-        });
+  public Result setVideo(VideoOption option, int value) {
+    model.setVideo(model.video().with(option, value));
     return Result.DONE;
   }
 }

@@ -38,29 +38,17 @@ public record VideoSettings(
         false, starts, framesPerSecond, megabits, lines, wide, downward, keyPictures);
   }
 
-  public VideoSettings withFramesPerSecond(int newFramesPerSecond) {
+  /** Returns a copy with another value of an option. */
+  public VideoSettings with(VideoOption option, int value) {
     return new VideoSettings(
-        on, starts, newFramesPerSecond, megabits, lines, wide, downward, keyPictures);
-  }
-
-  public VideoSettings withMegabits(int newMegabits) {
-    return new VideoSettings(
-        on, starts, framesPerSecond, newMegabits, lines, wide, downward, keyPictures);
-  }
-
-  public VideoSettings withLines(int newLines) {
-    return new VideoSettings(
-        on, starts, framesPerSecond, megabits, newLines, wide, downward, keyPictures);
-  }
-
-  public VideoSettings withWide(boolean newWide) {
-    return new VideoSettings(
-        on, starts, framesPerSecond, megabits, lines, newWide, downward, keyPictures);
-  }
-
-  public VideoSettings withDownward(boolean newDownward) {
-    return new VideoSettings(
-        on, starts, framesPerSecond, megabits, lines, wide, newDownward, keyPictures);
+        on,
+        starts,
+        option == VideoOption.FRAMES_PER_SECOND ? value : framesPerSecond,
+        option == VideoOption.BIT_RATE ? value : megabits,
+        option == VideoOption.LINES ? value : lines,
+        option == VideoOption.WIDE ? value == 1 : wide,
+        option == VideoOption.DOWNWARD ? value == 1 : downward,
+        keyPictures);
   }
 
   /** Returns a copy that requests one more key picture. */

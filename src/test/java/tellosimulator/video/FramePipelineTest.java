@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import tellosimulator.model.VideoOption;
 import tellosimulator.model.VideoSettings;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
@@ -78,7 +79,8 @@ class FramePipelineTest {
 
   @Test
   void aStreamBeginsWithAKeyPictureAndHasOneEachSecond() {
-    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
+    VideoFormat format =
+        VideoFormat.of(VideoSettings.DEFAULT.with(VideoOption.FRAMES_PER_SECOND, 5));
     for (int i = 0; i < 11; i++) {
       film.capture(snapshot, format);
       film.encode(i * FIFTH, false);
@@ -115,7 +117,8 @@ class FramePipelineTest {
 
   @Test
   void aKeyPictureCanBeAskedForAtAnyTimeAndCounts() {
-    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
+    VideoFormat format =
+        VideoFormat.of(VideoSettings.DEFAULT.with(VideoOption.FRAMES_PER_SECOND, 5));
     for (int i = 0; i < 8; i++) {
       film.capture(snapshot, format);
       film.encode(i * FIFTH, i == 2);
@@ -129,9 +132,12 @@ class FramePipelineTest {
   void anotherBitRateKeepsTheEncoderAndAnotherSizeMakesANewOne() {
     film.capture(snapshot, VideoFormat.of(VideoSettings.DEFAULT));
     film.encode(0, false);
-    film.capture(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withMegabits(4)));
+    film.capture(snapshot, VideoFormat.of(VideoSettings.DEFAULT.with(VideoOption.BIT_RATE, 4)));
     film.encode(0, false);
-    film.capture(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withMegabits(4).withLines(480)));
+    film.capture(
+        snapshot,
+        VideoFormat.of(
+            VideoSettings.DEFAULT.with(VideoOption.BIT_RATE, 4).with(VideoOption.LINES, 480)));
     film.encode(0, false);
 
     assertThat(asked)
@@ -148,7 +154,8 @@ class FramePipelineTest {
 
   @Test
   void thePictureOfTheAppMayBeWide() {
-    Picture wide = film.capture(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withWide(true)));
+    Picture wide =
+        film.capture(snapshot, VideoFormat.of(VideoSettings.DEFAULT.with(VideoOption.WIDE, 1)));
 
     assertThat(List.of(wide.width(), wide.height())).containsExactly(1280, 720);
   }
@@ -160,7 +167,7 @@ class FramePipelineTest {
     assertThat(ahead.width()).isEqualTo(960);
 
     Picture below =
-        film.capture(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withDownward(true)));
+        film.capture(snapshot, VideoFormat.of(VideoSettings.DEFAULT.with(VideoOption.DOWNWARD, 1)));
     assertThat(taken).containsExactly(new CameraId(1, false), new CameraId(1, true));
     assertThat(List.of(below.width(), below.height())).containsExactly(320, 720);
   }

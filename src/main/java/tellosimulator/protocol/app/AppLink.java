@@ -65,7 +65,7 @@ final class AppLink {
   private void film() {
     if (!films) {
       films = true;
-      drone.controller().stream(true);
+      drone.controller().equipment().stream(true);
     }
   }
 
@@ -82,7 +82,7 @@ final class AppLink {
   void sendKeyPicture() {
     if (now().since(keyPicture) >= KEY_PERIOD) {
       keyPicture = now();
-      drone.controller().sendKeyPicture();
+      drone.controller().equipment().sendKeyPicture();
     }
   }
 

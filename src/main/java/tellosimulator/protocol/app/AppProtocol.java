@@ -24,8 +24,8 @@ import tellosimulator.controller.DroneController;
 import tellosimulator.controller.FlightEvent.Note;
 import tellosimulator.controller.RefusalKind;
 import tellosimulator.controller.Result;
-import tellosimulator.controller.VideoOption;
 import tellosimulator.fault.FaultKind;
+import tellosimulator.model.VideoOption;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
@@ -268,14 +268,14 @@ public final class AppProtocol implements DroneProtocol {
     boolean valid = number >= 0 && number < BIT_RATES.length;
     if (valid) {
       bitRate = number;
-      controller.setVideo(VideoOption.BIT_RATE, BIT_RATES[number]);
+      controller.equipment().setVideo(VideoOption.BIT_RATE, BIT_RATES[number]);
     }
     return valid;
   }
 
   private boolean setWide(int mode) {
     if (mode == 0 || mode == 1) {
-      controller.setVideo(VideoOption.WIDE, mode);
+      controller.equipment().setVideo(VideoOption.WIDE, mode);
     }
     return mode == 0 || mode == 1;
   }

@@ -1,4 +1,4 @@
-package tellosimulator.controller;
+package tellosimulator.model;
 
 /**
  * The settings of {@code setfps}, {@code setbitrate}, {@code setresolution} and {@code downvision}.
