@@ -46,8 +46,8 @@ import tellosimulator.view.app.Toolkit;
 import tellosimulator.view.app.ToolkitFailure;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.replay.ReplayFlight;
-import tellosimulator.view.settings.DataFolder;
 import tellosimulator.view.settings.Settings;
+import tellosimulator.view.settings.UserFolder;
 import tellosimulator.view.text.Language;
 import tellosimulator.web.BoardReporter;
 
@@ -252,7 +252,7 @@ public final class Main {
         options
             .record()
             .map(RecordingFolder::at)
-            .orElseGet(() -> RecordingFolder.keeping(DataFolder.recordings(), RECORDINGS_KEPT));
+            .orElseGet(() -> RecordingFolder.keeping(UserFolder.recordings(), RECORDINGS_KEPT));
     return new SimulatorApp.Recordings(folder, options.record().isPresent(), words);
   }
 
