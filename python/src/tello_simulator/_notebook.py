@@ -36,9 +36,18 @@ class NotebookFlight:
         """
         if not self._entered and command != "command":
             self._entered = self.send("command", timeout) == "ok"
+        self._forget_late_replies()
         self._socket.settimeout(timeout)
         self._socket.send(command.encode())
         return self._socket.recv(1024).decode("utf-8", "replace")
+
+    def _forget_late_replies(self) -> None:
+        self._socket.setblocking(False)
+        try:
+            while True:
+                self._socket.recv(1024)
+        except OSError:
+            pass  # there are no more
 
     def close(self) -> None:
         """End the simulator, and with it the page. A second call has no effect."""
@@ -74,9 +83,13 @@ def notebook(scenario: Optional[StrPath] = None, *, height: int = 720, **setting
     settings = {"time_factor": 1, "command_port": _free_ports(1)[0], **settings}
     options = [*settings.pop("options", ()), "--web", "0"]
     simulator = Simulator(scenario, options=options, **settings)
-    assert simulator.page is not None
-    ipython.display(ipython.IFrame(_reachable(simulator.page), width="100%", height=height))
-    return NotebookFlight(simulator)
+    try:
+        page = _reachable(str(simulator.page))
+        ipython.display(ipython.IFrame(page, width="100%", height=height))
+        return NotebookFlight(simulator)
+    except BaseException:
+        simulator.close()
+        raise
 
 
 def _reachable(page: str) -> str:

@@ -29,6 +29,8 @@ class ControlOptionTest {
 
       try (ControlClient client =
           new ControlClient(Integer.parseInt(line.group("port")), line.group("token"))) {
+        assertThat(ProgramProcess.ask("command", port)).isEqualTo("ok");
+        assertThat(client.list("journal")).as("what came before the first request").hasSize(1);
         assertThat(client.objects("drones"))
             .singleElement()
             .extracting(drone -> drone.get("commandPort"))

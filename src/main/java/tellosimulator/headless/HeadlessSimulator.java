@@ -94,6 +94,7 @@ public final class HeadlessSimulator implements AutoCloseable, ScenarioHost {
    * @throws PortTakenException if the port cannot be opened
    */
   public void openControl(int port, PrintStream out) throws PortTakenException {
+    current(); // listens from now on
     ControlServer server = new ControlServer(() -> current().requests(), port);
     control = Optional.of(server);
     out.println(server.line());
@@ -143,7 +144,7 @@ public final class HeadlessSimulator implements AutoCloseable, ScenarioHost {
     before.close();
     session = session(next, plan);
     recordings.ifPresent(folder -> session.record(folder, words));
-    subject = session.subject(subject.number() + 1, rules.cameras);
+    subject = session.subject(current().number() + 1, rules.cameras);
     before.exitCondition.now(); // whoever waits for its end waits for the new one
     session.simulation.switchAllOn();
   }

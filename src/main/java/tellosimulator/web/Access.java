@@ -59,6 +59,11 @@ final class Access {
     return own.isLoopbackAddress() || LocalNetworks.look().neighbors(own, sender);
   }
 
+  /** Whether a browser gets the cookie: a proxy would pass it on to other people's servers. */
+  boolean offersCookie(HttpExchange request) {
+    return named(request) && isOwnHost(request.getRequestHeaders());
+  }
+
   /** Returns the header that makes a browser send the token from now on. */
   String cookieHeader() {
     return cookie + "=" + token.text() + "; SameSite=Strict; HttpOnly; Path=/";

@@ -14,8 +14,8 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.TimeFactor;
 
 /**
- * What pages and the teacher's board can do with a simulator: open scenarios, and all that programs
- * can ask of it. Thread-safe.
+ * Carries out the actions of pages and of the teacher's board. They can open scenarios, and make
+ * all requests of the control channel. Thread-safe.
  */
 final class Actions {
 
@@ -39,6 +39,9 @@ final class Actions {
       case "open" -> open(known(text(action, "scenario")), OptionalLong.empty(), texts);
       case "course" -> {
         OpenedScenario opened = subject.opened();
+        if (!opened.varies()) {
+          return subject.requests().result(Map.of("do", "reset")); // all its courses are the same
+        }
         long next =
             action.containsKey("seed")
                 ? (long) number(action, "seed")
@@ -73,9 +76,13 @@ final class Actions {
   }
 
   private static TimeFactor factor(String word) {
-    return word.equals(TimeFactor.MAX.toString())
-        ? TimeFactor.MAX
-        : new TimeFactor(Double.parseDouble(word));
+    if (word.equals(TimeFactor.MAX.toString())) {
+      return TimeFactor.MAX;
+    }
+    if (!word.matches("[0-9]{1,6}(\\.[0-9]{1,6})?")) {
+      throw new IllegalArgumentException("factor must be a number or max");
+    }
+    return new TimeFactor(Double.parseDouble(word));
   }
 
   private static OpenedScenario known(String name) {

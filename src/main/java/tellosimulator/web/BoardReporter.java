@@ -44,7 +44,7 @@ public final class BoardReporter implements AutoCloseable {
   private static final int WIDTH = 480;
   private static final int HEIGHT = 270;
 
-  /** Largest answer that is read [bytes]. Decided: far more than a board has to say. */
+  /** Largest answer that is read [bytes]. Decided: far more than the orders of a board. */
   private static final int MOST_BYTES = 1 << 16;
 
   private final ScenarioHost host;
@@ -61,7 +61,9 @@ public final class BoardReporter implements AutoCloseable {
   private WebSubject subject;
   private ViewerPictures pictures;
   private Optional<LastCommand.Shown> failed = Optional.empty();
+  private Optional<byte[]> unsent = Optional.empty();
   private boolean lost;
+  private volatile Optional<HttpURLConnection> open = Optional.empty();
 
   private BoardReporter(ScenarioHost host, URI board, String name, String team) {
     this.host = host;
@@ -88,7 +90,7 @@ public final class BoardReporter implements AutoCloseable {
 
   private final class Reports implements Agent {
 
-    private final ErrorPolicy failed = ErrorPolicy.goOn("The board could not be told");
+    private final ErrorPolicy failed = ErrorPolicy.goOn("A report to the board failed");
 
     @Override
     public Outcome doWork() {
@@ -122,7 +124,11 @@ public final class BoardReporter implements AutoCloseable {
       failed = Optional.empty();
     }
     try {
-      carryOut(post(body()));
+      Map<?, ?> answer = post(body());
+      if (answer.containsKey("orders")) { // otherwise it came too soon
+        unsent = Optional.empty();
+      }
+      carryOut(answer);
       if (lost) {
         LOG.info("The board answers again.");
       }
@@ -143,9 +149,9 @@ public final class BoardReporter implements AutoCloseable {
     ByteArrayOutputStream body = new ByteArrayOutputStream();
     body.write(Json.text(state()).getBytes(StandardCharsets.UTF_8));
     body.write('\n');
-    Optional<byte[]> picture = pictures.next(camera, 1);
-    if (picture.isPresent()) {
-      body.write(picture.get());
+    unsent = pictures.next(camera, 1).or(() -> unsent);
+    if (unsent.isPresent()) {
+      body.write(unsent.get());
     }
     return body.toByteArray();
   }
@@ -185,6 +191,7 @@ public final class BoardReporter implements AutoCloseable {
 
   private Map<?, ?> post(byte[] body) throws IOException {
     HttpURLConnection connection = (HttpURLConnection) seat.toURL().openConnection();
+    open = Optional.of(connection);
     try {
       connection.setConnectTimeout(PATIENCE_MS);
       connection.setReadTimeout(PATIENCE_MS);
@@ -219,16 +226,17 @@ public final class BoardReporter implements AutoCloseable {
   private void carryOutOne(Object order) {
     try {
       Map<String, Object> action = BoardSite.order(order);
-      LOG.info("The board asks for {}.", action.get("do"));
+      LOG.info("The board requests {}.", action.get("do"));
       actions.carryOut(action, texts);
     } catch (IllegalArgumentException | IllegalStateException | AssertionError e) {
-      LOG.warn("What the board asks for is not possible: {}", e.getMessage());
+      LOG.warn("The request of the board cannot be carried out: {}", e.getMessage());
     }
   }
 
   @Override
   public void close() {
     worker.end();
+    open.ifPresent(HttpURLConnection::disconnect);
     ticker.wake();
     worker.close();
   }

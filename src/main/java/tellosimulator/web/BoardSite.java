@@ -38,6 +38,9 @@ final class BoardSite implements Site {
   /** What simulators accept from the board. */
   private static final Set<String> ORDERS = Set.of("power-all", "reset", "course", "pause");
 
+  /** The orders after which results no longer count. */
+  private static final Set<String> RESTARTS = Set.of("reset", "course");
+
   private final AccessToken token = AccessToken.create();
   private final Ticker clock = new Ticker();
   private final Map<String, Seat> seats = new LinkedHashMap<>();
@@ -147,11 +150,8 @@ final class BoardSite implements Site {
   }
 
   private static void order(Seat seat, Map<String, Object> order) {
-    seat.orders.removeIf(order::equals); // whoever is away for a while does it once
+    seat.orders.removeIf(earlier -> earlier.get("do").equals(order.get("do")));
     seat.orders.add(order);
-    if (!order.get("do").equals("pause")) {
-      seat.best = SeatReport.NONE.of(seat.report);
-    }
   }
 
   /**
@@ -178,9 +178,13 @@ final class BoardSite implements Site {
     }
     byte[] body = request.body();
     SeatReport report = SeatReport.of(body);
+    byte[] picture = SeatReport.picture(body);
     synchronized (this) {
       long now = clock.nanos();
       Seat known = seats.get(id);
+      if (known == null && seats.size() >= MOST_SEATS) {
+        seats.values().removeIf(seat -> now - seat.heard > SILENCE);
+      }
       if (known == null && seats.size() >= MOST_SEATS) {
         throw new IllegalStateException("There are " + MOST_SEATS + " simulators already.");
       }
@@ -192,13 +196,15 @@ final class BoardSite implements Site {
       seat.heard = now;
       seat.report = report;
       seat.best = SeatReport.better(seat.best, report);
-      byte[] picture = SeatReport.picture(body);
       if (picture.length > 0) {
         seat.picture = picture;
         seat.pictures++;
       }
-      List<Map<String, Object>> orders = List.copyOf(seat.orders);
+      List<Map<String, Object>> orders = List.copyOf(seat.orders); // each is sent once
       seat.orders.clear();
+      if (orders.stream().anyMatch(order -> RESTARTS.contains(order.get("do")))) {
+        seat.best = SeatReport.NONE.of(report);
+      }
       return Json.object("language", language.getLanguage(), "orders", orders);
     }
   }

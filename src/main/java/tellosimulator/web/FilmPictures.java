@@ -8,7 +8,10 @@ import tellosimulator.video.VideoWatcher;
 import tellosimulator.video.picture.JpegEncoder;
 import tellosimulator.video.picture.Picture;
 
-/** The film of one drone as JPEG files. The video thread only copies the newest picture. */
+/**
+ * The film of one drone as JPEG files. The video thread only copies a picture, and only after the
+ * one before was taken.
+ */
 final class FilmPictures implements VideoWatcher, AutoCloseable {
 
   /** Compression quality. Decided: the film itself is compressed more. */
@@ -17,14 +20,23 @@ final class FilmPictures implements VideoWatcher, AutoCloseable {
   private final VideoStream stream;
   private final AtomicReference<Picture> newest = new AtomicReference<>();
 
-  FilmPictures(VideoStream stream) {
+  /**
+   * Begins to watch a stream.
+   *
+   * @param wanted whether there are pictures at all
+   */
+  FilmPictures(VideoStream stream, boolean wanted) {
     this.stream = stream;
-    stream.watch(this);
+    if (wanted) {
+      stream.watch(this);
+    }
   }
 
   @Override
   public void filmed(FilmedPicture filmed) {
-    newest.set(filmed.picture().copy());
+    if (newest.get() == null) {
+      newest.set(filmed.picture().copy());
+    }
   }
 
   /** Returns the newest picture; empty if there is none since the last call. */

@@ -39,6 +39,7 @@ final class FlightState {
         "factor", snapshot.clock().factor().toString(),
         "varies", subject.opened().varies(),
         "wind", Math.round(Frames.centimeters(wind.mean().norm())),
+        "towards", Math.round(Math.toDegrees(Math.atan2(wind.mean().y(), wind.mean().x()))),
         "link", snapshot.drones().get(0).faults().link().option(),
         "goals", goals(subject.goals().progress(), texts),
         "last", subject.lastCommand().newest().map(shown -> command(shown, texts)),

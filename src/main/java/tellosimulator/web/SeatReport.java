@@ -1,5 +1,6 @@
 package tellosimulator.web;
 
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -9,13 +10,19 @@ import java.util.function.Function;
 import tellosimulator.json.Json;
 
 /**
- * What a simulator tells the teacher's board. Simulators belong to students, so nothing that they
- * send is trusted: each member has its type, and texts are short. Immutable.
+ * The state that a simulator reports to the teacher's board. Simulators belong to students, so
+ * nothing that they send is trusted: each member has its type, and texts are short. Immutable.
  */
 record SeatReport(Map<String, Object> members) {
 
   /** Maximum length of a text [characters]. Decided: what fits into a tile. */
   private static final int LONGEST = 120;
+
+  /** Largest picture [bytes]. Decided: several times that of a simulator. */
+  private static final int MOST_BYTES = 150_000;
+
+  /** Largest width and height of a picture [pixels]. Decided: twice those of a simulator. */
+  private static final int WIDEST = 960;
 
   private static final Map<String, Object> EMPTY =
       Json.object(
@@ -75,9 +82,37 @@ record SeatReport(Map<String, Object> members) {
     return usual;
   }
 
-  /** Returns the picture, which is behind the line; may be empty. */
+  /**
+   * Returns the picture, which is behind the line; may be empty.
+   *
+   * @throws IllegalArgumentException if it is not a small JPEG file; the message is one sentence
+   */
   static byte[] picture(byte[] body) {
-    return Arrays.copyOfRange(body, Math.min(body.length, end(body) + 1), body.length);
+    byte[] picture = Arrays.copyOfRange(body, Math.min(body.length, end(body) + 1), body.length);
+    if (picture.length > 0 && !isSmallJpeg(ByteBuffer.wrap(picture))) {
+      throw new IllegalArgumentException("the picture is not a small JPEG file");
+    }
+    return picture;
+  }
+
+  /**
+   * Returns whether a file is a JPEG file whose picture is so small that a browser can show a
+   * hundred of them. Documented: segments and frame headers of ITU-T T.81, annex B.
+   */
+  private static boolean isSmallJpeg(ByteBuffer file) {
+    if (file.limit() > MOST_BYTES || file.limit() < 4 || file.getShort(0) != (short) 0xffd8) {
+      return false;
+    }
+    int at = 2;
+    while (at + 9 <= file.limit() && (file.get(at) & 0xff) == 0xff) {
+      int marker = file.get(at + 1) & 0xff;
+      if (marker >= 0xc0 && marker <= 0xc2) { // a frame header: length, precision, height, width
+        return (file.getShort(at + 5) & 0xffff) <= WIDEST
+            && (file.getShort(at + 7) & 0xffff) <= WIDEST;
+      }
+      at += 2 + (file.getShort(at + 2) & 0xffff);
+    }
+    return false;
   }
 
   private static int end(byte[] body) {

@@ -81,11 +81,10 @@ final class SimulatorSite implements Site {
     try {
       switch (request.path()) {
         case "room" -> viewer(request).sendRoom(request);
-        case "film" -> viewer(request).sendFilm(request);
         case "state" -> viewer(request).sendState(request, this::flights);
         case "gallery" -> request.answer(gallery(request.locale()));
-        case "report" -> report(request);
-        case "recording.zip" -> recording(request);
+        case "report" -> lastFlight(request, this::report);
+        case "recording.zip" -> lastFlight(request, this::recording);
         default -> request.answer(WebRequest.NOT_FOUND, "There is no such page.");
       }
     } catch (IllegalStateException e) {
@@ -95,7 +94,7 @@ final class SimulatorSite implements Site {
 
   /** Returns the members of the state that are about flights, and not about the scenario. */
   private Map<String, Object> flights() {
-    return Json.object("report", lastFlight().isPresent(), "demo", pilot.fliesDemo());
+    return Json.object("report", lastFlight().isPresent(), "demo", pilot.fliesDemo(host.current()));
   }
 
   private static List<Map<String, Object>> gallery(Locale locale) {
@@ -115,16 +114,24 @@ final class SimulatorSite implements Site {
     return host.recordings().flatMap(RecordingFolder::latest).filter(Files::isDirectory);
   }
 
-  private Path flight(WebRequest request) {
-    return lastFlight()
-        .orElseThrow(
-            () -> new IllegalStateException(new WebTexts(request.locale()).text("web.no-flight")));
+  /** What answers with the last flight. */
+  private interface FlightAnswer {
+    void send(WebRequest request, Path folder) throws IOException;
   }
 
-  private void report(WebRequest request) throws IOException {
+  private void lastFlight(WebRequest request, FlightAnswer answer) throws IOException {
+    Optional<Path> folder = lastFlight();
+    if (folder.isPresent()) {
+      answer.send(request, folder.get());
+    } else {
+      request.answer(WebRequest.NOT_FOUND, new WebTexts(request.locale()).text("web.no-flight"));
+    }
+  }
+
+  private void report(WebRequest request, Path folder) throws IOException {
     try {
       ReportTexts texts = new ReportTexts(new WebTexts(request.locale()).translation());
-      String page = new FlightReport(RecordedFlight.read(flight(request)), texts).html();
+      String page = new FlightReport(RecordedFlight.read(folder), texts).html();
       request.header("Content-Security-Policy"); // the report has its own
       request.answer(WebRequest.OK, "text/html", page.getBytes(StandardCharsets.UTF_8));
     } catch (UnreadableRecordingException e) {
@@ -132,8 +139,7 @@ final class SimulatorSite implements Site {
     }
   }
 
-  private void recording(WebRequest request) throws IOException {
-    Path folder = flight(request);
+  private void recording(WebRequest request, Path folder) throws IOException {
     request.header(
         "Content-Disposition", "attachment; filename=\"" + folder.getFileName() + ".zip\"");
     try (OutputStream out = request.begin("application/zip");
@@ -169,11 +175,9 @@ final class SimulatorSite implements Site {
       case "zoom" -> viewer.camera().zoom(Actions.number(action, "factor"));
       case "look" -> viewer.look(Actions.text(action, "view"));
       case "follow" -> viewer.camera().follow();
-      case "select" -> viewer.select(Actions.number(action, "drone"));
       case "fly" ->
-          pilot.send(subject.simulation(), viewer.drone(), Actions.text(action, "command"));
-      case "demo" ->
-          pilot.demo(subject.simulation(), subject.goals().progress().challenge(), viewer.drone());
+          pilot.send(subject, Viewer.drone(request, subject), Actions.text(action, "command"));
+      case "demo" -> pilot.demo(subject, Viewer.drone(request, subject));
       default -> {
         return actions.carryOut(action, new WebTexts(request.locale()));
       }

@@ -32,7 +32,10 @@ final class Viewer {
   /** Time between two events [ns]. Decided: as often as the drone's own state lines. */
   private static final long STATE_PERIOD = 100_000_000;
 
-  /** Number of unchanged states after which one is sent, so that proxies keep the stream open. */
+  /**
+   * Number of unchanged states or pictures after which one is sent, so that proxies keep the stream
+   * open, and a browser that has gone is noticed.
+   */
   private static final int MOST_UNCHANGED = 50;
 
   /** Time after which a page without streams has gone [ns]. Decided: longer than it reconnects. */
@@ -56,7 +59,6 @@ final class Viewer {
   private final Map<String, WebRequest.Part> streams = new ConcurrentHashMap<>();
 
   private Aids aids;
-  private volatile int drone = 1;
   private final Ticker clock = new Ticker();
   private volatile long used = clock.nanos();
   private volatile boolean closed;
@@ -95,25 +97,19 @@ final class Viewer {
     closed = true;
   }
 
-  int drone() {
-    return Math.min(drone, subject.get().simulation().snapshot().drones().size());
-  }
-
   ViewerCamera camera() {
     return camera;
   }
 
-  /**
-   * Selects a drone.
-   *
-   * @throws IllegalArgumentException if there is none with that number
-   */
-  void select(double number) {
-    int count = subject.get().simulation().snapshot().drones().size();
-    if (!(number >= 1 && number <= count)) {
-      throw new IllegalArgumentException("drone must be from 1 to " + count);
-    }
-    drone = (int) number;
+  /** Returns the drone that a request is about; the first one unless it names another. */
+  static int drone(WebRequest request, WebSubject subject) {
+    int count = subject.simulation().snapshot().drones().size();
+    return request
+        .parameter("drone")
+        .filter(word -> word.matches("[0-9]{1,2}"))
+        .map(Integer::valueOf)
+        .filter(number -> number >= 1 && number <= count)
+        .orElse(1);
   }
 
   /** Looks from a view that a page names. */
@@ -125,14 +121,25 @@ final class Viewer {
             .orElseThrow(() -> new IllegalArgumentException("there is no such view")));
   }
 
-  /** Sends pictures of the room until the browser goes away. */
+  /**
+   * Sends pictures of the room, and of a drone's camera if the page wants them, until the browser
+   * goes away. Both are in one stream, because browsers open few connections to a server.
+   */
   void sendRoom(WebRequest request) throws IOException {
     int width = size(request, "width", WIDTH);
     int height = size(request, "height", HEIGHT);
     WebSubject shown = subject.get();
-    try (ViewerPictures pictures =
-        new ViewerPictures(shown, overlay(shown), cache, width, height)) {
-      sendPictures(request, "room", shown, () -> pictures.next(camera, drone()));
+    int drone = drone(request, shown);
+    boolean filmed = request.parameter("film").isPresent();
+    try (ViewerPictures room = new ViewerPictures(shown, overlay(shown), cache, width, height);
+        FilmPictures film = new FilmPictures(shown.video().stream(drone), filmed)) {
+      stream(
+          request,
+          "room",
+          "multipart/x-mixed-replace; boundary=" + BOUNDARY,
+          () -> PICTURE_PERIOD * Math.max(FULL_RATE, readers.getAsInt()) / FULL_RATE,
+          shown,
+          new Pictures(() -> room.next(camera, drone), film));
     }
   }
 
@@ -153,40 +160,46 @@ final class Viewer {
         .orElse(otherwise);
   }
 
-  /** Sends the film of the selected drone until the browser goes away. */
-  void sendFilm(WebRequest request) throws IOException {
-    WebSubject shown = subject.get();
-    try (FilmPictures pictures = new FilmPictures(shown.video().stream(drone()))) {
-      sendPictures(request, "film", shown, pictures::next);
+  /** The pictures that have changed, and now and then one that has not. */
+  private static final class Pictures implements WebRequest.Part {
+
+    private final Supplier<Optional<byte[]>> room;
+    private final FilmPictures film;
+    private Optional<byte[]> last = Optional.empty();
+    private int unchanged;
+
+    Pictures(Supplier<Optional<byte[]>> room, FilmPictures film) {
+      this.room = room;
+      this.film = film;
+    }
+
+    @Override
+    public void write(OutputStream out) throws IOException {
+      Optional<byte[]> picture = room.get();
+      unchanged++;
+      if (picture.isPresent() || unchanged >= MOST_UNCHANGED) {
+        last = picture.or(() -> last);
+        unchanged = 0;
+        send(out, "room", last);
+      }
+      send(out, "film", film.next());
     }
   }
 
-  private void sendPictures(
-      WebRequest request, String kind, WebSubject shown, Supplier<Optional<byte[]>> pictures)
+  private static void send(OutputStream out, String of, Optional<byte[]> picture)
       throws IOException {
-    stream(
-        request,
-        kind,
-        "multipart/x-mixed-replace; boundary=" + BOUNDARY,
-        () -> PICTURE_PERIOD * Math.max(FULL_RATE, readers.getAsInt()) / FULL_RATE,
-        shown,
-        out -> {
-          Optional<byte[]> picture = pictures.get();
-          if (picture.isPresent()) {
-            send(out, picture.get());
-          }
-        });
-  }
-
-  private static void send(OutputStream out, byte[] picture) throws IOException {
+    if (picture.isEmpty()) {
+      return;
+    }
     String head =
         String.format(
             Locale.ROOT,
-            "--%s\r\nContent-Type: image/jpeg\r\nContent-Length: %d\r\n\r\n",
+            "--%s\r\nContent-Type: image/jpeg\r\nContent-Location: %s\r\nContent-Length: %d\r\n\r\n",
             BOUNDARY,
-            picture.length);
+            of,
+            picture.get().length);
     out.write(head.getBytes(StandardCharsets.US_ASCII));
-    out.write(picture);
+    out.write(picture.get());
     out.write("\r\n".getBytes(StandardCharsets.US_ASCII));
     out.flush();
   }

@@ -25,20 +25,31 @@ final class WebPilot implements AutoCloseable {
       Pattern.compile("takeoff|land|stop|emergency|flip [lrfb]|rc( -?[0-9]{1,3}){4}");
 
   private final Map<InetSocketAddress, OperatorSocket> sockets = new HashMap<>();
-  private Optional<ScriptedFlight> demo = Optional.empty();
+  private Optional<Demo> demo = Optional.empty();
 
   /**
-   * Sends a command, and does not wait for the reply, which is part of the state. Ends a demo.
+   * A demo.
+   *
+   * @param scenario the number of the scenario
+   */
+  private record Demo(int scenario, int drone, ScriptedFlight flight) {}
+
+  /**
+   * Sends a command, and does not wait for the reply, which is part of the state. Ends a demo of
+   * the drone.
    *
    * @throws IllegalArgumentException if it is not a command for flying by hand
    * @throws IllegalStateException if the drone cannot be reached; the message is one sentence
    */
-  synchronized void send(OnlineSimulation simulation, int drone, String command) {
+  synchronized void send(WebSubject subject, int drone, String command) {
     if (!COMMAND.matcher(command).matches()) {
       throw new IllegalArgumentException(
           "the page flies only with takeoff, land, stop, emergency, flip and rc");
     }
-    endDemo();
+    if (demo.filter(each -> each.drone == drone).isPresent()) {
+      endDemo();
+    }
+    OnlineSimulation simulation = subject.simulation();
     InetSocketAddress address = simulation.addresses(drone).get(0);
     try {
       OperatorSocket socket = socket(address);
@@ -74,10 +85,13 @@ final class WebPilot implements AutoCloseable {
    * @throws IllegalStateException if the drone is not standing, or cannot be reached; the message
    *     is one sentence
    */
-  synchronized void demo(OnlineSimulation simulation, Challenge challenge, int drone) {
-    if (endDemo()) {
+  synchronized void demo(WebSubject subject, int drone) {
+    if (fliesDemo(subject)) {
+      endDemo();
       return;
     }
+    OnlineSimulation simulation = subject.simulation();
+    Challenge challenge = subject.goals().progress().challenge();
     SimSnapshot snapshot = simulation.snapshot();
     if (snapshot.drones().get(drone - 1).state().phase().flying()) {
       throw new IllegalStateException("the drone is in the air: land it first");
@@ -87,22 +101,25 @@ final class WebPilot implements AutoCloseable {
             .orElseGet(() -> new DemoTour(snapshot, drone).commands());
     try {
       InetSocketAddress address = simulation.addresses(drone).get(0);
-      demo = Optional.of(new ScriptedFlight(address, commands, () -> simulation.time().nanos()));
+      ScriptedFlight flight =
+          new ScriptedFlight(address, commands, () -> simulation.time().nanos());
+      demo = Optional.of(new Demo(subject.number(), drone, flight));
     } catch (IOException e) {
       throw unreachable(drone, e);
     }
   }
 
-  /** Whether a demo is running. */
-  synchronized boolean fliesDemo() {
-    return demo.filter(flight -> !flight.ended()).isPresent();
+  /** Whether a demo of the scenario is running. */
+  synchronized boolean fliesDemo(WebSubject subject) {
+    if (demo.filter(each -> each.scenario != subject.number()).isPresent()) {
+      endDemo(); // its drone is gone
+    }
+    return demo.filter(each -> !each.flight.ended()).isPresent();
   }
 
-  private boolean endDemo() {
-    boolean running = fliesDemo();
-    demo.ifPresent(ScriptedFlight::close);
+  private void endDemo() {
+    demo.ifPresent(each -> each.flight.close());
     demo = Optional.empty();
-    return running;
   }
 
   @Override

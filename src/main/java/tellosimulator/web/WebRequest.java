@@ -23,7 +23,6 @@ final class WebRequest {
   static final int FORBIDDEN = 403;
   static final int NOT_FOUND = 404;
   static final int NOT_ALLOWED = 405;
-  static final int TOO_LARGE = 413;
   static final int FAILED = 500;
   static final int TOO_MANY = 503;
 

@@ -15,7 +15,6 @@ import java.util.concurrent.Semaphore;
 import java.util.stream.Stream;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.control.AccessToken;
@@ -42,6 +41,14 @@ public final class WebServer implements AutoCloseable {
       "default-src 'self'; img-src 'self' data: blob:; base-uri 'none'; form-action 'none';"
           + " object-src 'none'";
 
+  /** Added without a token in the address: other pages cannot show such a page in a frame. */
+  private static final String UNFRAMED = "; frame-ancestors 'none'";
+
+  /** Maximum number of connections. Decided: some for each request, and more for attackers. */
+  private static final int MOST_CONNECTIONS = 4 * MOST_REQUESTS;
+
+  private static final ErrorPolicy FAILED = ErrorPolicy.finish("A request of a browser failed");
+
   private final HttpServer server;
   private final Site site;
   private final Access access;
@@ -51,6 +58,7 @@ public final class WebServer implements AutoCloseable {
   static {
     // read once by the JDK's server [s]: who asks or reads more slowly is dropped
     System.setProperty("sun.net.httpserver.maxReqTime", "10");
+    System.setProperty("jdk.httpserver.maxConnections", Integer.toString(MOST_CONNECTIONS));
     System.setProperty(
         "sun.net.httpserver.maxRspTime", Integer.toString(WebRequest.LONGEST_STREAM + 10));
   }
@@ -92,32 +100,18 @@ public final class WebServer implements AutoCloseable {
     if (!places.tryAcquire()) {
       throw new RejectedExecutionException("too many requests"); // the connection is closed
     }
-    Worker.start("web", new Task(request));
+    try {
+      Worker.once("web", FAILED, () -> answer(request));
+    } catch (Throwable noThread) {
+      places.release();
+      throw noThread;
+    }
   }
 
-  /** A request, which is answered once. */
-  private final class Task implements Agent {
-
-    private static final ErrorPolicy FAILED = ErrorPolicy.finish("A request of a browser failed");
-    private final Runnable request;
-
-    Task(Runnable request) {
-      this.request = request;
-    }
-
-    @Override
-    public Outcome doWork() {
+  private void answer(Runnable request) {
+    try {
       request.run();
-      return Outcome.FINISHED;
-    }
-
-    @Override
-    public ErrorPolicy onError(Throwable failure) {
-      return FAILED;
-    }
-
-    @Override
-    public void onClose() {
+    } finally {
       places.release();
     }
   }
@@ -156,7 +150,8 @@ public final class WebServer implements AutoCloseable {
       request.header("X-Content-Type-Options", "nosniff");
       request.header("Referrer-Policy", "no-referrer");
       request.header("Cache-Control", "no-store");
-      request.header("Content-Security-Policy", POLICY);
+      boolean named = access.named(exchange);
+      request.header("Content-Security-Policy", named ? POLICY : POLICY + UNFRAMED);
       if (!access.allows(exchange) && !site.admits(exchange) && !isDesign(exchange)) {
         request.answer(
             WebRequest.FORBIDDEN,
@@ -172,6 +167,15 @@ public final class WebServer implements AutoCloseable {
       LOG.debug("A browser has gone: {}", e.toString()); // pages are closed at any time
     } catch (RuntimeException e) {
       LOG.error("A request of a browser failed", e); // the JDK's server would hide it
+      refuse(request);
+    }
+  }
+
+  private static void refuse(WebRequest request) {
+    try {
+      request.answer(WebRequest.FAILED, "The simulator failed; its log has the reason.");
+    } catch (IOException e) {
+      LOG.debug("An answer had begun: {}", e.toString());
     }
   }
 
@@ -198,7 +202,7 @@ public final class WebServer implements AutoCloseable {
         return;
       }
       byte[] bytes = in.readAllBytes();
-      if (access.named(exchange)) {
+      if (access.offersCookie(exchange)) {
         request.header("Set-Cookie", access.cookieHeader());
       }
       request.answer(WebRequest.OK, type, file.endsWith(".html") ? filled(bytes, request) : bytes);

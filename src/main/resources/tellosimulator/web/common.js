@@ -5,8 +5,7 @@
 const token = document.body.dataset.token;
 const language = document.documentElement.lang;
 
-/** Names this tab, so that a page that is loaded again keeps its camera. */
-const viewer = sessionStorage.viewer ??= crypto.getRandomValues(new Uint32Array(2)).join("");
+const viewer = crypto.getRandomValues(new Uint32Array(2)).join("");
 
 const element = (id) => document.getElementById(id);
 
@@ -46,42 +45,73 @@ function fill(id, entries) {
   }
 }
 
-/** Posts to the server, and returns the answer; shows a sentence if it is refused. */
+/** Time for which a problem is shown at least [ms]. */
+const READING = 6000;
+
+let shownSince = 0;
+
+function complain(sentence) {
+  say("problem", sentence);
+  shownSince = performance.now();
+}
+
+/** Posts to the server, and returns whether it agrees; shows a sentence if it does not. */
 async function post(path, body, parameters = {}) {
   try {
     const answer = await fetch(address(path, parameters), { method: "POST", body });
-    say("problem", answer.ok ? "" : await answer.text());
+    if (!answer.ok) {
+      complain(await answer.text());
+    } else if (performance.now() - shownSince > READING) {
+      say("problem", "");
+    }
     return answer.ok;
   } catch {
-    say("problem", text("gone"));
+    complain(text("gone"));
     return false;
   }
 }
 
 const act = (action) => post("do", JSON.stringify(action));
 
-/** Listens to the server's events, and asks again if it is away. */
+/** Time without an event after which the server counts as away [ms]; it sends one each 5 s. */
+const SILENCE = 7000;
+
+let heard = performance.now();
+let away = false;
+
+/** Listens to the server's events while the page can be seen, and asks again if it is away. */
 function listen(handlers) {
-  const events = new EventSource(address("state"));
-  for (const [name, handle] of Object.entries(handlers)) {
-    events.addEventListener(name, (event) => {
-      if (away) {
-        away = false;
-        say("problem", "");
-      }
-      handle(JSON.parse(event.data));
-    });
-  }
-  events.onerror = () => {
-    if (events.readyState === EventSource.CLOSED) {
-      away = true;
-      say("problem", text("gone"));
-      setTimeout(() => listen(handlers), 2000);
+  let events = null;
+
+  const open = () => {
+    events = new EventSource(address("state"));
+    for (const [name, handle] of Object.entries(handlers)) {
+      events.addEventListener(name, (event) => {
+        heard = performance.now();
+        if (away) {
+          away = false;
+          say("problem", "");
+        }
+        handle(JSON.parse(event.data));
+      });
     }
   };
-}
 
-let away = false;
+  setInterval(() => {
+    if (document.hidden) {
+      events?.close();
+      events = null;
+    } else if (!events || events.readyState === EventSource.CLOSED) {
+      open();
+    }
+    if (!document.hidden && performance.now() - heard > SILENCE) {
+      away = true;
+      complain(text("gone"));
+    }
+  }, 1000);
+  document.addEventListener("visibilitychange", () => { heard = performance.now(); });
+  open();
+}
 
 for (const button of document.querySelectorAll("dialog .close")) {
   button.addEventListener("click", () => button.closest("dialog").close());

@@ -6,6 +6,7 @@ const room = element("room");
 const film = element("film");
 
 let streams = new AbortController();
+let selected = 1;
 let shownWidth = 0;
 
 /** Shows a picture, and frees the one before. */
@@ -15,8 +16,8 @@ function showPicture(image, jpeg) {
   URL.revokeObjectURL(before);
 }
 
-/** Shows the pictures of one stream, whose parts have a head that ends with an empty line. */
-async function readPictures(body, image) {
+/** Shows the pictures of a stream; the head of each says whether it is one of room or film. */
+async function readPictures(body) {
   const reader = body.getReader();
   const ascii = new TextDecoder("ascii");
   let bytes = new Uint8Array();
@@ -26,29 +27,30 @@ async function readPictures(body, image) {
     joined.set(got.value, bytes.length);
     bytes = joined;
     for (;;) {
-      const head = /^[^]*?Content-Length: (\d+)\r\n\r\n/.exec(ascii.decode(bytes.subarray(0, 200)));
-      const end = head && head[0].length + Number(head[1]);
+      const start = ascii.decode(bytes.subarray(0, 200));
+      const head = /^[^]*?Content-Location: (\w+)\r\nContent-Length: (\d+)\r\n\r\n/.exec(start);
+      const end = head && head[0].length + Number(head[2]);
       if (!head || bytes.length < end) {
         break;
       }
-      showPicture(image, bytes.slice(head[0].length, end));
+      showPicture(head[1] === "film" ? film : room, bytes.slice(head[0].length, end));
       bytes = bytes.subarray(end);
     }
   }
 }
 
 /** Shows pictures until they are no longer wanted; a stream lasts a minute. */
-async function showStream(image, path, parameters, { signal }) {
+async function showStream(parameters, { signal }) {
   while (!signal.aborted) {
     try {
       // with this header, Jupyter's proxy passes pictures on as they come
       const headers = { Accept: "text/event-stream" };
-      const answer = await fetch(address(path, parameters), { headers, signal });
+      const answer = await fetch(address("room", parameters), { headers, signal });
       if (answer.ok) {
-        await readPictures(answer.body, image);
+        await readPictures(answer.body);
         continue;
       }
-      say("problem", await answer.text());
+      complain(await answer.text());
     } catch {
       // the server is away, or the stream is no longer wanted
     }
@@ -64,8 +66,7 @@ function showPictures() {
     shownWidth = room.clientWidth;
     const width = Math.round(shownWidth * devicePixelRatio);
     const height = Math.round((width * 9) / 16);
-    showStream(room, "room", { width, height }, streams);
-    showStream(film, "film", {}, streams);
+    showStream({ width, height, drone: selected, film: true }, streams);
   }
 }
 
@@ -82,20 +83,26 @@ new ResizeObserver(() => {
 
 // --- the viewer's camera ---
 
-let way = { right: 0, down: 0 };
-let turning = false;
+let way = { right: 0, down: 0, factor: 1 };
+let moving = false;
 
-/** Sends how far the pointer has moved, one request at a time. */
-async function turn() {
-  if (turning || (way.right === 0 && way.down === 0)) {
+/** Sends how far the pointer and the wheel have moved, one request at a time. */
+async function move() {
+  if (moving) {
     return;
   }
-  turning = true;
-  const sent = way;
-  way = { right: 0, down: 0 };
-  await act({ do: "turn", ...sent });
-  turning = false;
-  turn();
+  moving = true;
+  while (way.right !== 0 || way.down !== 0 || way.factor !== 1) {
+    const { right, down, factor } = way;
+    way = { right: 0, down: 0, factor: 1 };
+    await act(factor === 1 ? { do: "turn", right, down } : { do: "zoom", factor });
+  }
+  moving = false;
+}
+
+function zoom(factor) {
+  way.factor *= factor;
+  move();
 }
 
 const touches = new Map();
@@ -119,12 +126,12 @@ room.addEventListener("pointermove", (event) => {
   if (touches.size === 2) {
     const apart = distance();
     touches.set(event.pointerId, event);
-    act({ do: "zoom", factor: apart / Math.max(1, distance()) });
+    zoom(apart / Math.max(1, distance()));
   } else {
     way.right += (event.clientX - before.clientX) / room.clientWidth;
     way.down += (event.clientY - before.clientY) / room.clientWidth;
     touches.set(event.pointerId, event);
-    turn();
+    move();
   }
 });
 
@@ -133,7 +140,7 @@ for (const end of ["pointerup", "pointercancel"]) {
 }
 
 room.addEventListener("wheel", (event) => {
-  act({ do: "zoom", factor: Math.exp(event.deltaY * 0.0025) });
+  zoom(Math.exp(event.deltaY * 0.0025));
   event.preventDefault();
 }, { passive: false });
 
@@ -157,7 +164,6 @@ element("film-frame").addEventListener("click", (event) =>
 // --- state ---
 
 let state = null;
-let selected = 1;
 
 const drone = () => state.drones[Math.min(selected, state.drones.length) - 1];
 
@@ -166,6 +172,7 @@ function showState(now) {
   state = now;
   if (other) {
     selected = 1;
+    showPictures();
   }
   document.title = `${state.title} – Tello Simulator`;
   say("title", state.title);
@@ -179,6 +186,7 @@ function showState(now) {
   showDrone(drone());
   showCommand(state.last);
   show("wind-speed", state.wind);
+  show("wind-towards", state.towards);
   show("link", state.link);
 }
 
@@ -230,12 +238,14 @@ function showGoals(goals) {
 }
 
 function showDrone(shown) {
-  fill("drones", state.drones.map((each) => {
-    const option = make("option", text("drone", each.drone, each.word, each.battery));
-    option.value = each.drone;
-    return option;
-  }));
-  element("drones").value = shown.drone;
+  if (document.activeElement !== element("drones")) { // it would close
+    fill("drones", state.drones.map((each) => {
+      const option = make("option", text("drone", each.drone, each.word, each.battery));
+      option.value = each.drone;
+      return option;
+    }));
+    element("drones").value = shown.drone;
+  }
   const off = shown.phase === "off";
   say("power", text(off ? "start" : "stop"));
   element("takeoff").disabled = off || shown.flying;
@@ -298,13 +308,13 @@ const onClick = (id, action) => element(id).addEventListener("click", action);
 const onChange = (id, action) =>
   element(id).addEventListener("change", (event) => action(event.target.value));
 
-const fly = (command) => act({ do: "fly", command });
+const fly = (command) => post("do", JSON.stringify({ do: "fly", command }), { drone: selected });
 
 for (const button of document.querySelectorAll("[data-fly]")) {
   button.addEventListener("click", () => fly(button.dataset.fly));
 }
 onClick("power", () => act({ do: "power", drone: drone().drone, on: drone().phase === "off" }));
-onClick("demo", () => act({ do: "demo" }));
+onClick("demo", () => post("do", JSON.stringify({ do: "demo" }), { drone: selected }));
 onClick("again", () => act({ do: "reset" }));
 onClick("course", () => act({ do: "course" }));
 onClick("pause", () => act({ do: "pause", on: !state.paused }));
@@ -316,13 +326,13 @@ for (const id of ["wind-speed", "wind-towards"]) {
   onChange(id, () => act({
     do: "wind",
     speed: element("wind-speed").valueAsNumber || 0,
-    towards: element("wind-towards").valueAsNumber || 0,
+    towards: -element("wind-towards").valueAsNumber || 0, // clockwise there
   }));
 }
-onChange("drones", async (number) => {
+onChange("drones", (number) => {
   selected = Number(number);
+  element("drones").blur();
   showDrone(drone());
-  await act({ do: "select", drone: selected });
   showPictures();
 });
 
@@ -382,7 +392,7 @@ const REPETITION = 2000;
 const pressed = new Set();
 let faster = false;
 
-const takeOffOrLand = () => fly(drone().flying ? "land" : "takeoff");
+const takeOffOrLand = () => state && fly(drone().flying ? "land" : "takeoff");
 
 const KEYS = {
   Space: takeOffOrLand,
@@ -458,12 +468,24 @@ function sticks() {
 
 const CENTERED = "rc 0 0 0 0";
 let sent = { command: CENTERED, at: 0 };
+let steering = false;
 
-setInterval(() => {
+/** Sends the newest sticks, one request at a time, until the server has taken them. */
+async function steer() {
   const command = `rc ${sticks().join(" ")}`;
   const due = command !== CENTERED && performance.now() - sent.at > REPETITION;
-  if (state && (command !== sent.command || due)) {
-    sent = { command, at: performance.now() };
-    fly(command);
+  if (state && !steering && (command !== sent.command || due)) {
+    steering = true;
+    const at = performance.now();
+    sent = { command: await fly(command) ? command : "unknown", at };
+    steering = false;
   }
-}, SHORTEST);
+}
+
+setInterval(steer, SHORTEST);
+addEventListener("pagehide", () => {
+  if (sent.command !== CENTERED) {
+    const body = JSON.stringify({ do: "fly", command: CENTERED });
+    navigator.sendBeacon(address("do", { drone: selected }), body);
+  }
+});

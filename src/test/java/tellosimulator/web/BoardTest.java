@@ -9,6 +9,7 @@ import java.net.InetSocketAddress;
 import java.net.URI;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -106,10 +107,12 @@ final class BoardTest {
             != FlightPhase.OFF) {
           Thread.onSpinWait();
         }
-        teacher.post("do", "{\"do\": \"course\", \"seed\": 42}");
-        while (simulator.current().number() == 1) {
+        double before = simulator.current().simulation().snapshot().time().seconds();
+        teacher.post("do", "{\"do\": \"course\", \"seed\": 42}"); // the same: all courses are
+        while (simulator.current().simulation().snapshot().time().seconds() > before) {
           Thread.onSpinWait();
         }
+        assertThat(simulator.current().number()).isEqualTo(1);
       } finally {
         reporter.close();
       }
@@ -122,12 +125,38 @@ final class BoardTest {
     teacher.post("do", "{\"do\": \"reset\"}");
     teacher.post("do", "{\"do\": \"reset\"}");
 
-    String answer = report(ID, "{\"name\": \"Ada\"}");
-    while (answer.equals("{}")) { // sent too soon
-      answer = report(ID, "{\"name\": \"Ada\"}");
-    }
+    assertThat(taken("{\"name\": \"Ada\"}")).contains("\"orders\":[{\"do\":\"reset\"}]");
+  }
 
-    assertThat(answer).contains("\"orders\":[{\"do\":\"reset\"}]");
+  @Test
+  void ofSeveralOrdersOfAKindTheLastCounts() throws IOException {
+    report(ID, "{}");
+    teacher.post("do", "{\"do\": \"pause\", \"on\": true}");
+    teacher.post("do", "{\"do\": \"pause\", \"on\": false}");
+    teacher.post("do", "{\"do\": \"course\", \"seed\": 1}");
+    teacher.post("do", "{\"do\": \"course\", \"seed\": 2}");
+
+    assertThat(taken("{}"))
+        .contains("\"orders\":[{\"do\":\"pause\",\"on\":false},{\"do\":\"course\",\"seed\":2}]");
+  }
+
+  @Test
+  void afterAResetResultsNoLongerCount() throws IOException {
+    report(ID, "{\"points\": 10}");
+    teacher.post("do", "{\"do\": \"reset\"}");
+    taken("{\"points\": 10}");
+    taken("{\"points\": 0}");
+
+    assertThat(awaitState("ranking")).doesNotContain("\"points\":10");
+  }
+
+  /** Reports until it is not too soon. */
+  private String taken(String line) {
+    String answer = report(ID, line);
+    while (answer.equals("{}")) {
+      answer = report(ID, line);
+    }
+    return answer;
   }
 
   @Test
@@ -162,7 +191,9 @@ final class BoardTest {
     assertThat(student.post("seat?id=" + ID, "no report").statusCode()).isEqualTo(400);
     assertThat(student.post("seat?id=" + ID, new byte[WebRequest.MOST_BYTES + 1]).statusCode())
         .isEqualTo(400);
-    report(ID, "{\"name\": \"<img src=x onerror=alert(1)>\", \"goals\": \"many\"}\n<script>");
+    assertThat(student.post("seat?id=" + ID, "{}\n<script>").body())
+        .isEqualTo("the picture is not a small JPEG file");
+    report(ID, "{\"name\": \"<img src=x onerror=alert(1)>\", \"goals\": \"many\"}");
 
     assertThat(awaitState("onerror")).contains("\"goals\":0.0");
     assertThat(teacher.get("picture?seat=1").headers().map())
@@ -172,9 +203,7 @@ final class BoardTest {
 
   @Test
   void thereIsPlaceForAHundredSimulators() {
-    for (int i = 0; i < 100; i++) {
-      report(String.format("%032x", i), "{}");
-    }
+    IntStream.range(0, 100).parallel().forEach(i -> report(String.format("%032x", i), "{}"));
 
     assertThat(student.post("seat?id=" + ID, "{}").body())
         .isEqualTo("There are 100 simulators already.");

@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import tellosimulator.video.picture.JpegEncoder;
+import tellosimulator.video.picture.Picture;
 
 final class SeatReportTest {
 
@@ -28,12 +31,30 @@ final class SeatReportTest {
 
   @Test
   void aLineIsFollowedByThePicture() {
-    byte[] body = body("{\"name\": \"Ada\", \"clock\": 3.5}\nJPEG\nbytes");
+    byte[] jpeg = JpegEncoder.encode(new Picture(160, 90), 0.8f);
+    byte[] line = body("{\"name\": \"Ada\", \"clock\": 3.5}\n");
+    byte[] body = Arrays.copyOf(line, line.length + jpeg.length);
+    System.arraycopy(jpeg, 0, body, line.length, jpeg.length);
 
     assertThat(SeatReport.of(body).members())
         .containsEntry("name", "Ada")
         .containsEntry("clock", 3.5);
-    assertThat(SeatReport.picture(body)).isEqualTo(body("JPEG\nbytes"));
+    assertThat(SeatReport.picture(body)).isEqualTo(jpeg);
+  }
+
+  @Test
+  void aPictureThatIsLargeOrNoneIsRefused() {
+    byte[] large = JpegEncoder.encode(new Picture(1280, 720), 0.1f);
+    byte[] body = Arrays.copyOf(body("\n"), 1 + large.length);
+    System.arraycopy(large, 0, body, 1, large.length);
+
+    assertThatThrownBy(() -> SeatReport.picture(body))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("the picture is not a small JPEG file");
+    assertThatThrownBy(() -> SeatReport.picture(body("\n\u00ff")))
+        .isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(() -> SeatReport.picture(body("\n<script>")))
+        .isInstanceOf(IllegalArgumentException.class);
   }
 
   @Test

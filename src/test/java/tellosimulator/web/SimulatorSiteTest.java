@@ -156,8 +156,11 @@ final class SimulatorSiteTest {
 
   @Test
   void theFilmIsThatOfTheDrone() throws IOException {
-    try (InputStream stream = client.stream("film")) {
+    try (InputStream stream = client.stream("room?width=160&height=160&film=true")) {
       var picture = ImageIO.read(new ByteArrayInputStream(WebClient.picture(stream)));
+      while (picture.getWidth() == 160) { // that of the room
+        picture = ImageIO.read(new ByteArrayInputStream(WebClient.picture(stream)));
+      }
 
       assertThat(picture.getWidth()).isEqualTo(960);
       assertThat(picture.getHeight()).isEqualTo(720);
@@ -213,10 +216,22 @@ final class SimulatorSiteTest {
   }
 
   @Test
+  void aDemoEndsWithItsScenario() throws IOException {
+    act("{'do': 'demo'}");
+    awaitState("\"phase\":\"flying\"");
+
+    act("{'do': 'open', 'scenario': 'empty-room'}");
+
+    assertThat(awaitState("\"number\":2")).contains("\"demo\":false");
+    act("{'do': 'fly', 'command': 'takeoff'}");
+    awaitState("\"phase\":\"flying\"");
+  }
+
+  @Test
   void withoutAFlightThereIsNoReport() {
     var answer = client.get("report?language=de");
 
-    assertThat(answer.statusCode()).isEqualTo(503);
+    assertThat(answer.statusCode()).isEqualTo(404);
     assertThat(answer.body()).startsWith("Noch kein Flug ist vorbei");
   }
 
@@ -232,8 +247,8 @@ final class SimulatorSiteTest {
 
   @Test
   void whatProgramsCanAskPagesCanAskToo() throws IOException {
-    act("{'do': 'wind', 'speed': 50, 'towards': 90}");
-    awaitState("\"wind\":50");
+    act("{'do': 'wind', 'speed': 50, 'towards': -90}");
+    awaitState("\"wind\":50,\"towards\":90");
     act("{'do': 'inject', 'fault': 'loss state 20% for 10s'}");
     awaitState("loss state 20% for 10s");
     act("{'do': 'power', 'drone': 1, 'on': false}");
@@ -244,7 +259,8 @@ final class SimulatorSiteTest {
     assertThat(refused("{'do': 'jump'}")).contains("there is no request `jump`");
     assertThat(refused("jump")).isNotEmpty();
     assertThat(refused("{'do': 'zoom', 'factor': 'x'}")).isEqualTo("factor must be a number");
-    assertThat(refused("{'do': 'select', 'drone': 7}")).isEqualTo("drone must be from 1 to 1");
+    assertThat(refused("{'do': 'time-factor', 'factor': 'x'}"))
+        .isEqualTo("factor must be a number or max");
   }
 
   @Test
@@ -258,8 +274,7 @@ final class SimulatorSiteTest {
       room.readAllBytes(); // the stream of the old scenario ends
     }
     assertThat(awaitState("\"number\":2")).contains("Swarm stage").contains("\"drone\":3");
-    act("{'do': 'select', 'drone': 3}");
-    act("{'do': 'fly', 'command': 'takeoff'}");
+    client.post("do?drone=3", "{\"do\": \"fly\", \"command\": \"takeoff\"}");
     awaitState("\"drone\":3,\"text\":\"takeoff\"");
     assertThat(refused("{'do': 'open', 'scenario': '../x'}"))
         .isEqualTo("there is no such scenario");

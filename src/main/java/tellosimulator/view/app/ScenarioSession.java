@@ -64,7 +64,7 @@ final class ScenarioSession implements AutoCloseable {
   /** The parts that remain when the scenario changes. */
   record Frame(Stage stage, Language language, WindowState state, Settings settings) {}
 
-  private EditedScenario edited;
+  private volatile EditedScenario edited;
   private final DroneOptics optics;
   private final LogQueue logQueue;
   private final GoalWatch goals;

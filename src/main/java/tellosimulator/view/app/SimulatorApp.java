@@ -166,7 +166,12 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   /** Returns the window's scenarios, for the teacher's board. */
   public ScenarioHost host() {
     return new WindowHost(
-        () -> running, (chosen, seed) -> unlessLost(() -> replaceBy(chosen, seed)));
+        () -> running,
+        (chosen, seed) -> {
+          if (frame != null) { // the window is open
+            unlessLost(() -> replaceBy(chosen, seed));
+          }
+        });
   }
 
   /** Makes the window open with the gallery if there are no settings from an earlier start. */
