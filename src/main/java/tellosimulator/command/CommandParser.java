@@ -38,7 +38,7 @@ final class CommandParser {
   record Parsed(CommandSyntax syntax, Arguments arguments, Profile profile) {
 
     Optional<Refusal> complaint() {
-      return syntax.complaint(arguments, profile);
+      return syntax.form().complaint(arguments, profile);
     }
 
     Command command() {
@@ -53,9 +53,9 @@ final class CommandParser {
     }
     List<String> words = words(text);
     return byFirstWord.getOrDefault(words.get(0), List.of()).stream()
-        .filter(syntax -> syntax.matches(words))
+        .filter(syntax -> syntax.form().matches(words))
         .findFirst()
-        .map(syntax -> new Parsed(syntax, syntax.arguments(words), profile));
+        .map(syntax -> new Parsed(syntax, syntax.form().arguments(words), profile));
   }
 
   /** Explains why {@code text} is unknown, worded to follow "refused: ". */

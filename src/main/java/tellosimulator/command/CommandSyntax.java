@@ -24,8 +24,6 @@ import static tellosimulator.profile.Sdk.SDK_1_3;
 import static tellosimulator.profile.Sdk.SDK_2_0;
 import static tellosimulator.profile.Sdk.SDK_3_0;
 
-import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -279,6 +277,11 @@ public enum CommandSyntax {
     this.record = record;
   }
 
+  /** Returns the form and the limits of the command. */
+  Row form() {
+    return row;
+  }
+
   /** Returns the first word of the verb. */
   String firstWord() {
     return row.verbWords().get(0);
@@ -346,21 +349,6 @@ public enum CommandSyntax {
 
   boolean knownTo(Profile profile) {
     return profile.knows(row.since());
-  }
-
-  /** Whether the words match this command, with the right number and form of parameters. */
-  boolean matches(List<String> words) {
-    return row.matches(words);
-  }
-
-  /** Returns the words after the verb. */
-  Arguments arguments(List<String> words) {
-    return row.arguments(words);
-  }
-
-  /** Returns the refusal of invalid values; empty if the values are valid. */
-  Optional<Refusal> complaint(Arguments arguments, Profile profile) {
-    return row.complaint(arguments, profile);
   }
 
   /** Creates the command from valid values. */

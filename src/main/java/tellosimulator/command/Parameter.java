@@ -48,17 +48,17 @@ sealed interface Parameter {
 
   /** Returns a parameter for a number without a range. */
   static Parameter number(Name name, String unit) {
-    return new Numeric(name, unit, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+    return number(name, unit, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
   }
 
   /** Returns a parameter for a number within a range, both ends included. */
   static Parameter number(Name name, String unit, double least, double most) {
-    return new Numeric(name, unit, least, most);
+    return new Numeric(name, unit, least, most, false);
   }
 
   /** Returns a parameter for a whole number within a range, both ends included. */
   static Parameter whole(Name name, int least, int most) {
-    return new Whole(new Numeric(name, "", least, most));
+    return new Numeric(name, "", least, most, true);
   }
 
   static Parameter whole(String symbol, int least, int most) {
@@ -130,8 +130,13 @@ sealed interface Parameter {
     return choice("colour", "r", "b", "p");
   }
 
-  /** A number in decimal digits. */
-  record Numeric(Name name, String unit, double least, double most) implements Parameter {
+  /**
+   * A number in decimal digits.
+   *
+   * @param whole whether a fraction is out of range
+   */
+  record Numeric(Name name, String unit, double least, double most, boolean whole)
+      implements Parameter {
 
     /**
      * The form of a number. Decided: ASCII digits, at most 15 characters, no exponent, no plus
@@ -160,6 +165,9 @@ sealed interface Parameter {
     @Override
     public Optional<Phrase> complaint(String word) {
       double value = Double.parseDouble(word);
+      if (whole && value != Math.rint(value)) {
+        return Optional.of(Phrase.of("%s is %s, but must be a whole number", name.subject(), word));
+      }
       return value >= least && value <= most
           ? Optional.empty()
           : Optional.of(
@@ -168,38 +176,6 @@ sealed interface Parameter {
 
     private static String text(double value) {
       return value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
-    }
-  }
-
-  /** A whole number. A fraction is out of range. A word that is not a number has the wrong form. */
-  record Whole(Numeric number) implements Parameter {
-
-    @Override
-    public Name name() {
-      return number.name();
-    }
-
-    @Override
-    public boolean limited() {
-      return number.limited();
-    }
-
-    @Override
-    public Phrase allowed() {
-      return number.allowed();
-    }
-
-    @Override
-    public boolean isForm(String word) {
-      return number.isForm(word);
-    }
-
-    @Override
-    public Optional<Phrase> complaint(String word) {
-      double value = Double.parseDouble(word);
-      return value == Math.rint(value)
-          ? number.complaint(word)
-          : Optional.of(Phrase.of("%s is %s, but must be a whole number", name().subject(), word));
     }
   }
 
