@@ -8,8 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import tellosimulator.command.Reply;
 import tellosimulator.controller.FlightEvent;
@@ -25,6 +24,7 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.time.RealTimer;
 import tellosimulator.time.SimTime;
 import tellosimulator.world.Collidable;
 import tellosimulator.world.Obstacle;
@@ -48,11 +48,6 @@ final class FlightMonitor implements SimListener {
   private final List<Flight> flights = new ArrayList<>();
   private final GoalWatch gates;
   private final List<Goal> passages = new ArrayList<>();
-  private final ReentrantLock lock = new ReentrantLock();
-
-  /** Signalled after each event, and after each step while a thread waits. */
-  private final Condition changed = lock.newCondition();
-
   private volatile Supplier<SimSnapshot> snapshots = () -> null;
   private long run;
   private long steps;
@@ -96,14 +91,9 @@ final class FlightMonitor implements SimListener {
   }
 
   @Override
-  public void event(SimEvent event) {
-    lock.lock();
-    try {
-      take(event);
-      changed.signalAll();
-    } finally {
-      lock.unlock();
-    }
+  public synchronized void event(SimEvent event) {
+    take(event);
+    notifyAll();
   }
 
   private void take(SimEvent event) {
@@ -194,15 +184,10 @@ final class FlightMonitor implements SimListener {
   }
 
   @Override
-  public void stepped(SimSnapshot snapshot) {
-    lock.lock();
-    try {
-      follow(snapshot);
-      if (waiting > 0) {
-        changed.signalAll();
-      }
-    } finally {
-      lock.unlock();
+  public synchronized void stepped(SimSnapshot snapshot) {
+    follow(snapshot);
+    if (waiting > 0) {
+      notifyAll();
     }
   }
 
@@ -222,33 +207,18 @@ final class FlightMonitor implements SimListener {
   }
 
   /** Returns the number of runs started so far. */
-  long run() {
-    lock.lock();
-    try {
-      return run;
-    } finally {
-      lock.unlock();
-    }
+  synchronized long run() {
+    return run;
   }
 
   /** Returns the journal of a drone: the texts that were sent to it, with their outcomes. */
-  List<JournalEntry> journal(int drone) {
-    lock.lock();
-    try {
-      return List.copyOf(flights.get(drone - 1).journal);
-    } finally {
-      lock.unlock();
-    }
+  synchronized List<JournalEntry> journal(int drone) {
+    return List.copyOf(flights.get(drone - 1).journal);
   }
 
   /** Returns the current true state of a drone. */
-  DroneTruth truth(int drone) {
-    lock.lock();
-    try {
-      return present(drone);
-    } finally {
-      lock.unlock();
-    }
+  synchronized DroneTruth truth(int drone) {
+    return present(drone);
   }
 
   private DroneTruth present(int drone) {
@@ -296,14 +266,14 @@ final class FlightMonitor implements SimListener {
    * @param wanted the condition, evaluated after each event and step
    * @return the result of the condition; empty on timeout
    */
-  <T> Optional<T> await(Duration timeout, Supplier<Optional<T>> wanted) {
-    lock.lock();
+  synchronized <T> Optional<T> await(Duration timeout, Supplier<Optional<T>> wanted) {
+    RealTimer timer = new RealTimer();
+    double limit = timeout.toNanos() * 1e-9;
     waiting++;
     try {
-      long left = timeout.toNanos();
       Optional<T> found = wanted.get();
-      while (found.isEmpty() && left > 0) {
-        left = changed.awaitNanos(left);
+      for (double left = limit; found.isEmpty() && left > 0; left = limit - timer.seconds()) {
+        TimeUnit.NANOSECONDS.timedWait(this, (long) Math.ceil(left * 1e9));
         found = wanted.get();
       }
       return found;
@@ -312,7 +282,6 @@ final class FlightMonitor implements SimListener {
       return Optional.empty();
     } finally {
       waiting--;
-      lock.unlock();
     }
   }
 }
