@@ -8,7 +8,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.DigestOutputStream;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
@@ -25,6 +24,7 @@ import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.files.AtomicFile;
 import tellosimulator.files.IoReason;
+import tellosimulator.files.Sha256;
 import tellosimulator.files.TemporaryFolder;
 import tellosimulator.json.Json;
 import tellosimulator.json.JsonRecords;
@@ -115,7 +115,7 @@ final class Grader implements AutoCloseable {
     List<Task> all = new ArrayList<>();
     byte[] assignment = Files.readAllBytes(plan.file());
     for (HandIn handIn : handIns) {
-      MessageDigest files = digest();
+      MessageDigest files = Sha256.create();
       files.update(assignment);
       files.update(
           (handIn.file() + handIn.problem().map(Phrase::english)).getBytes(StandardCharsets.UTF_8));
@@ -129,7 +129,7 @@ final class Grader implements AutoCloseable {
       }
       byte[] ofHandIn = files.digest();
       for (SeededCourse course : plan.courses()) {
-        MessageDigest both = digest();
+        MessageDigest both = Sha256.create();
         both.update(ofHandIn);
         both.update(course.fingerprint().getBytes(StandardCharsets.UTF_8));
         String fingerprint = HexFormat.of().formatHex(both.digest());
@@ -139,14 +139,6 @@ final class Grader implements AutoCloseable {
       }
     }
     return all;
-  }
-
-  private static MessageDigest digest() {
-    try {
-      return MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("each Java has SHA-256", e);
-    }
   }
 
   private void work(CountDownLatch running) {

@@ -3,7 +3,6 @@ package tellosimulator.recording;
 import static java.util.Map.entry;
 
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Locale;
@@ -11,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import tellosimulator.controller.FlightEvent;
+import tellosimulator.files.Sha256;
 import tellosimulator.goal.GoalEvent;
 import tellosimulator.json.Json;
 import tellosimulator.json.JsonRecords;
@@ -57,15 +57,7 @@ final class RecordingFormat {
   /** Number of digits in the digest of a video datagram. */
   private static final int DIGEST_DIGITS = 16;
 
-  private final MessageDigest sha256 = sha256();
-
-  private static MessageDigest sha256() {
-    try {
-      return MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("each JDK has SHA-256", e);
-    }
-  }
+  private final MessageDigest sha256 = Sha256.create();
 
   // --- wire.jsonl ---
 
