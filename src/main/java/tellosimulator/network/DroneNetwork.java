@@ -90,25 +90,6 @@ public final class DroneNetwork implements AutoCloseable {
   }
 
   /**
-   * Creates a network and opens the sockets of all drones. If one of them cannot be opened, none
-   * remains open.
-   *
-   * @throws PortTakenException if a socket cannot be opened
-   */
-  public static DroneNetwork open(AddressPlan plan) throws PortTakenException {
-    DroneNetwork network = of(plan);
-    try {
-      for (int drone = 1; drone <= network.drones.size(); drone++) {
-        network.open(drone);
-      }
-      return network;
-    } catch (PortTakenException e) {
-      network.close();
-      throw e;
-    }
-  }
-
-  /**
    * Returns a function from a drone's number to the drone's sender.
    *
    * @param fixedPort the port to which all replies go; empty for the port from which each command

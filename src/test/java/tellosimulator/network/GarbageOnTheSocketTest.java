@@ -71,7 +71,7 @@ class GarbageOnTheSocketTest {
   void afterAHundredThousandDatagramsOfGarbageTheDroneStillFlies() throws Exception {
     Set<Thread> before = Thread.getAllStackTraces().keySet();
     try (DroneNetwork network =
-            DroneNetwork.open(AddressPlan.of(List.of(address("127.0.0.1", 0).getAddress()), 0));
+            OpenNetwork.of(AddressPlan.of(List.of(address("127.0.0.1", 0).getAddress()), 0));
         DatagramSocket states = new DatagramSocket(address("127.0.0.1", 0))) {
       Simulation simulation = simulation(network, states.getLocalPort());
       try (SimulationLoop loop = new SimulationLoop(simulation)) {
