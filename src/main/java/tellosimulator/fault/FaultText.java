@@ -23,6 +23,7 @@ import tellosimulator.fault.Fault.Target;
 import tellosimulator.fault.FaultKind.Range;
 import tellosimulator.fault.FaultParameter.Unit;
 import tellosimulator.words.Phrase;
+import tellosimulator.words.Printable;
 import tellosimulator.words.Spelling;
 
 /**
@@ -102,11 +103,14 @@ public final class FaultText {
   static FaultTextException unknown(String word, Collection<String> known) {
     return new FaultTextException(
         Spelling.meant(word, known)
-            .map(meant -> Phrase.of("there is no %s, did you mean %s?", shown(word), meant))
+            .map(
+                meant ->
+                    Phrase.of("there is no %s, did you mean %s?", Printable.quoted(word), meant))
             .orElseGet(
                 () ->
                     Phrase.of(
-                        "expected one of %s, found %s", String.join(", ", known), shown(word))));
+                        "expected one of %s, found %s",
+                        String.join(", ", known), Printable.quoted(word))));
   }
 
   private static List<Token> tokens(String text) {
@@ -203,7 +207,7 @@ public final class FaultText {
   private FaultParameter first(String word) {
     if (kind.ranges().isEmpty()) {
       throw new FaultTextException(
-          Phrase.of("%s has no value, but %s was found", kind.word(), shown(word)));
+          Phrase.of("%s has no value, but %s was found", kind.word(), Printable.quoted(word)));
     }
     return kind.ranges().get(0).parameter();
   }
@@ -227,7 +231,7 @@ public final class FaultText {
                 new FaultTextException(
                     Phrase.of(
                         "%s is a number in %s, but %s was found",
-                        parameter.word(), unit(parameter.unit()), shown(word))));
+                        parameter.word(), unit(parameter.unit()), Printable.quoted(word))));
   }
 
   private static Object unit(Unit unit) {
@@ -253,14 +257,16 @@ public final class FaultText {
                 new FaultTextException(
                     Phrase.of(
                         "%s needs a time such as 5s, of at most a day, but %s was found",
-                        clause, shown(word))));
+                        clause, Printable.quoted(word))));
   }
 
   private static int count(String word, String clause, int most) {
     int number = word.matches("[0-9]{1,4}") ? Integer.parseInt(word) : 0;
     if (number < 1 || number > most) {
       throw new FaultTextException(
-          Phrase.of("%s needs a number from 1 to %d, but %s was found", clause, most, shown(word)));
+          Phrase.of(
+              "%s needs a number from 1 to %d, but %s was found",
+              clause, most, Printable.quoted(word)));
     }
     return number;
   }
@@ -291,7 +297,7 @@ public final class FaultText {
     kind.directions().forEach(direction -> known.add(direction.word()));
     kind.ranges().forEach(range -> known.add(range.parameter().word()));
     known.addAll(List.of(DRONE, AT, AFTER, FOR));
-    String shown = shown(token.text());
+    String shown = Printable.quoted(token.text());
     return new FaultTextException(
         Spelling.meant(token.text(), known)
             .map(meant -> Phrase.of("%s has no %s, did you mean %s?", kind.word(), shown, meant))
@@ -300,20 +306,6 @@ public final class FaultText {
                     Phrase.of(
                         "%s has no %s, but only %s",
                         kind.word(), shown, String.join(", ", known))));
-  }
-
-  /**
-   * Replaces the control characters in a word with spaces, truncates the word, and puts it in
-   * quotation marks.
-   */
-  private static String shown(String word) {
-    String clean =
-        word.codePoints()
-            .map(c -> Character.isISOControl(c) ? ' ' : c)
-            .limit(40)
-            .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
-            .toString();
-    return "\"" + clean + "\"";
   }
 
   // --- formatting ---

@@ -27,6 +27,7 @@ import tellosimulator.scenario.Codec.Context;
 import tellosimulator.scenario.ListCodec.Item;
 import tellosimulator.scenario.Quantity.Unit;
 import tellosimulator.words.Phrase;
+import tellosimulator.words.Printable;
 
 /** Codec of an assignment file. */
 final class AssignmentCodec extends RecordCodec<Assignment> {
@@ -290,7 +291,7 @@ final class AssignmentCodec extends RecordCodec<Assignment> {
             .diagnostics()
             .add(
                 node,
-                Phrase.of("there is neither a file nor a scenario %s", Diagnostics.shown(word)));
+                Phrase.of("there is neither a file nor a scenario %s", Printable.quoted(word)));
   }
 
   /** Reads the name of a file, or a pattern for it. */

@@ -12,15 +12,13 @@ import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import tellosimulator.scenario.Diagnostic.Place;
 import tellosimulator.words.Phrase;
+import tellosimulator.words.Printable;
 
 /** Collects the errors in a file. */
 final class Diagnostics {
 
   /** Maximum number of errors that are kept. Decided: more than a user reads at once. */
   private static final int MOST = 100;
-
-  /** Maximum length of a quotation from a file in a message [characters]. */
-  private static final int LONGEST_SHOWN = 40;
 
   private final String file;
   private final List<Diagnostic> found = new ArrayList<>();
@@ -113,18 +111,7 @@ final class Diagnostics {
     ScalarNode scalar = (ScalarNode) node;
     return scalar.isPlain() && scalar.getValue().isEmpty()
         ? Phrase.of("nothing")
-        : shown(scalar.getValue());
-  }
-
-  /** Quotes a part of a file on one line, shortened if necessary. */
-  static String shown(String text) {
-    String clean =
-        text.codePoints()
-            .map(c -> Character.isISOControl(c) ? ' ' : c)
-            .limit(LONGEST_SHOWN)
-            .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
-            .toString();
-    return "\"" + clean + (clean.length() < text.length() ? "…" : "") + "\"";
+        : Printable.quoted(scalar.getValue());
   }
 
   static Place place(Node node) {

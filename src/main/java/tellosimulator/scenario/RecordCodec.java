@@ -15,6 +15,7 @@ import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 import tellosimulator.words.Phrase;
+import tellosimulator.words.Printable;
 import tellosimulator.words.Spelling;
 
 /**
@@ -144,7 +145,7 @@ class RecordCodec<T> implements Codec<T> {
   }
 
   private Phrase unknown(String key) {
-    String shown = Diagnostics.shown(key);
+    String shown = Printable.quoted(key);
     return Spelling.meant(key, fields.keySet())
         .map(meant -> Phrase.of("%s has no key %s, did you mean %s?", phrase, shown, meant))
         .orElseGet(

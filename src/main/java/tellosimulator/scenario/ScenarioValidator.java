@@ -18,6 +18,7 @@ import tellosimulator.scenario.Diagnostic.Place;
 import tellosimulator.scenario.ListCodec.Item;
 import tellosimulator.scenario.Scenario.CommandAddress;
 import tellosimulator.words.Phrase;
+import tellosimulator.words.Printable;
 import tellosimulator.words.Spelling;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Collider;
@@ -328,7 +329,7 @@ final class ScenarioValidator {
             .filter(obstacle -> obstacle.shape() instanceof Shape.Gate)
             .map(Obstacle::name)
             .collect(Collectors.toSet());
-    String shown = Diagnostics.shown(name);
+    String shown = Printable.quoted(name);
     diagnostics.add(
         place,
         Spelling.meant(name, gates)
@@ -379,7 +380,7 @@ final class ScenarioValidator {
   }
 
   private static Phrase noPoster(String name, Set<String> posters) {
-    String shown = Diagnostics.shown(name);
+    String shown = Printable.quoted(name);
     return Spelling.meant(name, posters)
         .map(meant -> Phrase.of("there is no poster %s, did you mean %s?", shown, meant))
         .orElseGet(() -> Phrase.of("there is no poster %s", shown));

@@ -9,6 +9,9 @@ import java.util.Locale;
  */
 public final class Printable {
 
+  /** Maximum length of a quotation in a message [characters]. */
+  private static final int LONGEST_QUOTATION = 40;
+
   private static final int ZERO_WIDTH_NON_JOINER = 0x200c;
   private static final int ZERO_WIDTH_JOINER = 0x200d;
 
@@ -31,6 +34,20 @@ public final class Printable {
       }
     }
     return out.toString();
+  }
+
+  /**
+   * Quotes a text on one line: control characters become spaces, and the end of a long text is left
+   * out.
+   */
+  public static String quoted(String text) {
+    String clean =
+        text.codePoints()
+            .map(c -> Character.isISOControl(c) ? ' ' : c)
+            .limit(LONGEST_QUOTATION)
+            .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
+            .toString();
+    return "\"" + clean + (clean.length() < text.length() ? "…" : "") + "\"";
   }
 
   private static boolean isHarmless(int c) {
