@@ -1,6 +1,7 @@
 package tellosimulator.web;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -113,6 +114,42 @@ final class PageInBrowserTest {
   }
 
   @Test
+  void aKeyThatIsReleasedCentersTheStick() throws Exception {
+    page.open(link);
+    page.await("document.getElementById('room').naturalWidth > 400");
+    page.click("#keyboard");
+    page.press("Space");
+    page.release("Space");
+    awaitText("last", "takeoff → ok");
+
+    page.press("ArrowRight");
+    page.await("state.drones[0].heading > 20");
+    page.release("ArrowRight");
+
+    page.await("sent.command === CENTERED && !steering");
+    long still = simulator.current().simulation().snapshot().time().nanos() + 1_000_000_000;
+    while (simulator.current().simulation().snapshot().time().nanos() < still) {
+      Thread.onSpinWait();
+    }
+    double heading = heading();
+    still += 500_000_000;
+    while (simulator.current().simulation().snapshot().time().nanos() < still) {
+      Thread.onSpinWait();
+    }
+    assertThat(heading()).isCloseTo(heading, within(0.01));
+  }
+
+  @Test
+  void aSimulatorThatEndsIsNoticed() throws Exception {
+    page.open(link);
+    awaitText("title", "Gate race");
+
+    simulator.close();
+
+    awaitText("problem", "The simulator does not answer.");
+  }
+
+  @Test
   void aDragTurnsTheRoomAndKeysChooseViews() throws Exception {
     page.open(link);
     page.await("document.getElementById('room').naturalWidth > 400");
@@ -128,6 +165,19 @@ final class PageInBrowserTest {
     page.press("Digit4");
     page.release("Digit4");
     changed(top);
+  }
+
+  private double heading() {
+    return simulator
+        .current()
+        .simulation()
+        .snapshot()
+        .drones()
+        .get(0)
+        .state()
+        .motion()
+        .attitude()
+        .heading();
   }
 
   /** Waits until the room looks different, and stays so; returns the sum of its pixels. */
