@@ -1,7 +1,5 @@
 package tellosimulator.cli;
 
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.web.WebServer;
 
@@ -31,11 +29,7 @@ final class BoardSubcommand extends Subcommand {
   }
 
   private int run(ProgramOutput to) throws PortTakenException, InterruptedException {
-    InetSocketAddress address =
-        lan.value()
-            ? new InetSocketAddress(port.value())
-            : new InetSocketAddress(InetAddress.getLoopbackAddress(), port.value());
-    try (WebServer server = WebServer.board(address)) {
+    try (WebServer server = WebServer.board(NetworkOptions.webAddress(port.value(), lan.value()))) {
       server.lines().forEach(to.out()::println);
       to.out().flush();
       to.input().awaitQuit();

@@ -104,11 +104,18 @@ final class NetworkOptions {
         .read(OptionTypes::port, USUAL_STATE_PORT);
   }
 
-  /**
-   * Returns the address of a server for browsers: on all addresses of this machine, or loopback.
-   */
+  /** Returns the address of the page; see {@link #webAddress(int, boolean)}. */
   InetSocketAddress webAddress(int port) {
-    return lan.value()
+    return webAddress(port, lan.value());
+  }
+
+  /**
+   * Returns the address of a server for browsers.
+   *
+   * @param lan whether it is on all addresses of this machine, or on loopback alone
+   */
+  static InetSocketAddress webAddress(int port, boolean lan) {
+    return lan
         ? new InetSocketAddress(port)
         : new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
   }

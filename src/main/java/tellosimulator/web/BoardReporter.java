@@ -70,7 +70,7 @@ public final class BoardReporter implements AutoCloseable {
     this.name = name;
     this.team = team;
     actions = new Actions(host);
-    String id = AccessToken.create().text(); // nobody else can report under it
+    String id = AccessToken.create().text(); // a secret, so that no other simulator can use it
     seat = board.resolve("seat?" + board.getRawQuery() + "&id=" + id);
     subject = host.current();
     pictures = pictures();

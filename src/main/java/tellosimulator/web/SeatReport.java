@@ -18,7 +18,7 @@ record SeatReport(Map<String, Object> members) {
   /** Maximum length of a text [characters]. Decided: what fits into a tile. */
   private static final int LONGEST = 120;
 
-  /** Largest picture [bytes]. Decided: several times that of a simulator. */
+  /** Largest picture [bytes]. Decided: several times the size of a simulator's picture. */
   private static final int MOST_BYTES = 150_000;
 
   /** Largest width and height of a picture [pixels]. Decided: twice those of a simulator. */
